@@ -15,8 +15,10 @@ import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "pipeline"))
+TESTS = Path(__file__).resolve().parents[2] / "tests"
+sys.path[:0] = [str(TESTS), str(TESTS / "pipeline")]
 from drawn_media import png  # noqa: E402
+from private_bus import start_bus  # noqa: E402
 
 BUILD = Path(sys.argv[1]).resolve()
 USERS = int(sys.argv[2]) if len(sys.argv) > 2 else 100
@@ -50,7 +52,7 @@ def main():
         settings = ["--media.root", str(media), "--state.directory", str(folder / "state")]
         subprocess.run([BUILD / "analyzer/vitrine-analyzer", "watch", "--once", "--without-tapestries", *settings, "--analyzer.quiet_milliseconds", "100",
                         "--analyzer.face_model", "", "--tapestry.max_bytes", "0"], check=True, capture_output=True)
-        bus = subprocess.Popen(["dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address=unix:path={folder / 'bus'}"])
+        bus = start_bus(folder / "bus")
         try:
             play(folder, settings, 0)
             play(folder, settings, USERS)

@@ -8,17 +8,22 @@ import os
 import shutil
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
-from picture import Picture
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from picture import Picture  # noqa: E402
+from private_bus import start_bus  # noqa: E402
 
 # s for a boot, and for whatever else must come, without the time that the host keeps the machine waiting
 PATIENCE = int(os.environ.get("VITRINE_RIG_PATIENCE", 480))
 MAX_PATIENCE = max(2400, PATIENCE)  # s with it
 WIDTH, HEIGHT = 640, 360  # px of the first panel
 JOURNAL_PORT = "vitrine.journal"  # what the guest writes there comes to the file Machine.journal
+# Who ends without Machine.stop() leaves no child behind.
+SERVING = ("setpriv", "--pdeathsig", "KILL", "nice", "-n", "5")
 CONSOLE = "org.qemu.Display1.Console"
 
 
@@ -98,9 +103,7 @@ class Machine:
         self.journal = self.folder / "journal.log"
         self.bus = f"unix:path={self.folder / 'bus'}"
         self.agent = None
-        self.children = []
-        self.start("dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address={self.bus}")
-        wait_for("the bus", (self.folder / "bus").exists, pause=0.05)
+        self.children = [start_bus(self.folder / "bus", SERVING, start_new_session=True, stderr=subprocess.DEVNULL)]
         self.qemu = self.start(*self.command(image, disk), *(["-loadvm", snapshot] if snapshot else []))
         Machine.running = self.qemu.pid
         self.qmp = Door(self.folder / "qmp", self.qemu)
@@ -109,8 +112,7 @@ class Machine:
         self.panel(WIDTH, HEIGHT)  # as it is; QEMU passes over what it was told last, and to begin with that is no panel
 
     def start(self, *command):
-        # Who ends without stop() leaves none of them behind.
-        child = subprocess.Popen(["setpriv", "--pdeathsig", "KILL", "nice", "-n", "5", *map(str, command)], start_new_session=True, stdin=subprocess.DEVNULL,
+        child = subprocess.Popen([*SERVING, *map(str, command)], start_new_session=True, stdin=subprocess.DEVNULL,
                                  stdout=(self.folder / f"{command[0]}.log").open("w"), stderr=subprocess.STDOUT)
         self.children.append(child)
         return child

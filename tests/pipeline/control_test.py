@@ -13,8 +13,9 @@ import time
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path[:0] = [str(folder) for folder in Path(__file__).resolve().parents[:2]]
 from drawn_media import png  # noqa: E402
+from private_bus import start_bus  # noqa: E402
 
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER, CTL = (BUILD / name for name in ("analyzer/vitrine-analyzer", "player/vitrine-player", "player/control/vitrinectl"))
@@ -47,17 +48,15 @@ class Control(unittest.TestCase):
         with self.log.open("a") as log:
             child = subprocess.Popen([str(word) for word in command], env=self.environment, stdin=subprocess.DEVNULL,
                                      stdout=subprocess.DEVNULL, stderr=log)
-
-        def end():
-            child.terminate()
-            child.wait(PATIENCE)
-
-        self.addCleanup(end)
+        self.addCleanup(self.end, child)
         return child
 
     def start_bus(self):
-        self.start("dbus-daemon", "--session", "--nofork", "--nopidfile", f"--address=unix:path={self.folder / 'bus'}")
-        wait_for("the bus", (self.folder / "bus").exists)
+        self.addCleanup(self.end, start_bus(self.folder / "bus", stderr=subprocess.DEVNULL))
+
+    def end(self, child):
+        child.terminate()
+        child.wait(PATIENCE)
 
     def set(self, slots):
         self.settings.write_text(f"""

@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in ("share", "appliance")]
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / folder) for folder in (".", "share", "appliance")]
 from image import NotHere  # noqa: E402
 from share_server import unpack  # noqa: E402
 

@@ -1,15 +1,18 @@
 #include "player/control/bus_object.hpp"
 
+#include "base/system/unique_fd.hpp"
 #include "player/control/bus_messages.hpp"
 #include "player/control/control_client.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
@@ -44,19 +47,24 @@ class PrivateBus {
     PrivateBus(PrivateBus&&) = delete;
     PrivateBus& operator=(PrivateBus&&) = delete;
 
+    /// Starts the bus and waits until it takes connections. It writes its address then.
     void start() {
         const std::string option = "--address=" + address_;
+        std::array<int, 2> pipe{};
+        REQUIRE(::pipe2(pipe.data(), O_CLOEXEC) == 0);
+        const UniqueFd written(pipe[0]);
+        UniqueFd output(pipe[1]);
         daemon_ = ::fork();
         if (daemon_ == 0) {
             ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-            ::execlp("dbus-daemon", "dbus-daemon", "--session", "--nofork", "--nopidfile", option.c_str(),
-                     nullptr);
+            ::dup2(output.get(), STDOUT_FILENO);
+            ::execlp("dbus-daemon", "dbus-daemon", "--session", "--nofork", "--nopidfile", "--print-address",
+                     option.c_str(), nullptr);
             ::_exit(127);
         }
-        while (!std::filesystem::exists(directory_.path / "bus")) {
-            REQUIRE_MESSAGE(::waitpid(daemon_, nullptr, WNOHANG) == 0, "dbus-daemon does not start");
-            std::this_thread::sleep_for(10ms);
-        }
+        output.reset();
+        char first = 0;
+        REQUIRE_MESSAGE(::read(written.get(), &first, 1) == 1, "dbus-daemon does not start");
     }
 
     void stop() {
