@@ -37,14 +37,17 @@ double number_in(const ActJson& value, double most) {
     return number;
 }
 
-std::int64_t whole_in(const ActJson& json, const char* key, std::int64_t least, std::int64_t most) {
-    const ActJson& value = json.at(key);
+std::int64_t whole_of(const ActJson& value, const char* name, std::int64_t least, std::int64_t most) {
     const bool fits = value.is_number_unsigned() ? std::in_range<std::int64_t>(value.get<std::uint64_t>())
                                                  : value.is_number_integer();
     const std::int64_t number = fits ? value.get<std::int64_t>() : 0;
     if (!fits || number < least || number > most)
-        throw ActFault(fmt::format("an act's '{}' is no whole number from {} to {}", key, least, most));
+        throw ActFault(fmt::format("an act's '{}' is no whole number from {} to {}", name, least, most));
     return number;
+}
+
+std::int64_t whole_in(const ActJson& json, const char* key, std::int64_t least, std::int64_t most) {
+    return whole_of(json.at(key), key, least, most);
 }
 
 std::chrono::nanoseconds time_in(const ActJson& json, const char* key) {

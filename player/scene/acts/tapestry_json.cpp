@@ -1,6 +1,7 @@
 #include "player/scene/acts/tapestry_json.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -29,6 +30,20 @@ SeenSpan span_in(const ActJson& json) {
     return seen;
 }
 
+ActJson to_json(const std::vector<nanoseconds>& moments) {
+    ActJson json = ActJson::array();
+    for (const nanoseconds moment : moments)
+        json.push_back(moment.count());
+    return json;
+}
+
+std::vector<nanoseconds> film_times_in(const ActJson& json, const char* key) {
+    std::vector<nanoseconds> moments;
+    for (const ActJson& moment : array_in(json, key, max_moments_of_a_choice))
+        moments.emplace_back(whole_of(moment, key, 0, longest_film));
+    return moments;
+}
+
 }  // namespace
 
 ActJson tapestry_to_json(const TapestryMoment& seen) {
@@ -45,6 +60,9 @@ ActJson tapestry_to_json(const TapestryMoment& seen) {
     if (seen.above) json["above"] = to_json(*seen.above);
     if (seen.in_place) json["in_place"] = to_json(*seen.in_place);
     if (seen.looked_for) json["looked_for_ns"] = seen.looked_for->count();
+    if (seen.edited)
+        json["edited"] = {{"chosen_ns", to_json(seen.edited->keyframes)},
+                          {"struck_ns", to_json(seen.edited->struck)}};
     return json;
 }
 
@@ -61,6 +79,9 @@ TapestryMoment tapestry_from_json(const ActJson& json) {
     if (json.contains("above")) seen.above = span_in(json.at("above"));
     if (json.contains("in_place")) seen.in_place = span_in(json.at("in_place"));
     if (json.contains("looked_for_ns")) seen.looked_for = film_time_in(json, "looked_for_ns");
+    if (json.contains("edited"))
+        seen.edited = {.keyframes = film_times_in(json.at("edited"), "chosen_ns"),
+                       .struck = film_times_in(json.at("edited"), "struck_ns")};
     if (seen.view.level < 0 || seen.width < 0)
         throw ActFault("the leader tells of a view of a tapestry that is none");
     return seen;

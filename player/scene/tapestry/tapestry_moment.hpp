@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/hints/keyframe_choice.hpp"
 #include "player/scene/tapestry/film_spans.hpp"
 #include "player/scene/tapestry/tapestry_view.hpp"
 
@@ -31,6 +32,7 @@ struct TapestryMoment {
     std::optional<SeenSpan> in_place;                    // within the strip
     StripPicture touched;                                // the picture whose place that is
     std::optional<std::chrono::nanoseconds> looked_for;  // the film's time that a finger looks for
+    std::optional<KeyframeChoice> edited;  // its moments have marks; none: keyframes are not edited
 
     bool operator==(const TapestryMoment&) const = default;
 };

@@ -20,6 +20,13 @@ KeyframeEdit* edit_on(std::optional<KeyframeEdit>& edit, const Tapestry& tapestr
     return edit && !is_unwoven(tapestry) ? &*edit : nullptr;
 }
 
+/// The choice whose marks are drawn; nullptr: keyframes are not edited.
+/// @param seen  see TapestryShow::step
+const KeyframeChoice* edited_choice(const std::optional<KeyframeEdit>& edit, const TapestryMoment* seen) {
+    if (seen != nullptr) return seen->edited ? &*seen->edited : nullptr;
+    return edit ? &edit->choice() : nullptr;
+}
+
 std::optional<SeenSpan> seen_span(const std::optional<PlayingSpan>& playing) {
     if (!has_begun(playing)) return std::nullopt;
     return SeenSpan{playing->span, *playing->began};
@@ -37,7 +44,8 @@ TapestryMoment seen_moment(const DrawnTapestry& drawn, double width) {
             .above = seen_span(drawn.preview.above()),
             .in_place = seen_span(drawn.preview.in_place()),
             .touched = drawn.touched,
-            .looked_for = drawn.preview.scrubbed().moment()};
+            .looked_for = drawn.preview.scrubbed().moment(),
+            .edited = drawn.edited != nullptr ? std::optional(*drawn.edited) : std::nullopt};
 }
 
 }  // namespace
@@ -139,7 +147,7 @@ TapestryStep TapestryShow::step(nanoseconds now, const TapestryMoment* seen) {
                               .boxes = boxes_,
                               .sources = strip.sources(),
                               .coming = coming ? coming->drawn(now) : std::nullopt,
-                              .edited = edit_ ? &edit_->choice() : nullptr};
+                              .edited = edited_choice(edit_, seen)};
     FilmSpans::Changes changes = spans_.take_changes();
     TapestryStep step{.frame = tapestry_frame(drawn, now),
                       .missing = strip.missing(preview_.scrubbed().moment().has_value()),

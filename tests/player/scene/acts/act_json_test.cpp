@@ -302,6 +302,9 @@ TEST_CASE("a tapestry travels as it was seen") {
     told.tapestry->above = SeenSpan{{1s + 1ns, 2s}, 1795591329152378002ns};
     told.tapestry->in_place = SeenSpan{{3s, 4s}, 1795591329152378003ns};
     told.tapestry->looked_for = 7s;
+    told.tapestry->edited.emplace();
+    CHECK(lifted_from_json(lifted_to_json(told)) == told);
+    told.tapestry->edited = {.keyframes = {1s, 5s}, .struck = {3s}};
     CHECK(lifted_from_json(lifted_to_json(told)) == told);
     CHECK(lifted_from_json(lifted_to_json({.run = 12})) == ToldHands{.run = 12});
     const std::string text = lifted_to_json(told);
@@ -317,6 +320,9 @@ TEST_CASE("a tapestry travels as it was seen") {
              {R"("centre_ns":1234567891)", R"("centre_ns":1e9)"},
              {R"("looked_for_ns":7000000000)", R"("looked_for_ns":20000000000000000)"},
              {R"("end_ns":2000000000)", R"("end_ns":1000000001)"},
+             {R"("chosen_ns":[1000000000,)", R"("chosen_ns":[-1,)"},
+             {R"("struck_ns":[3000000000])", R"("struck_ns":3000000000)"},
+             {R"("struck_ns":)", R"("strikes":)"},
              {R"("is_lower":true)", R"("is_lower":1)"},
              {R"("path":"a/Zürich.mp4")", R"("path":7)"},
              {R"("path":)", R"("way":)"}}) {
@@ -340,7 +346,8 @@ TEST_CASE("changed tapestries are refused, or can be drawn at any time") {
                                                     .above = SeenSpan{{10s, 40s}, 3s},
                                                     .in_place = SeenSpan{{12s, 16s}, 4s},
                                                     .touched = {.time = 12s},
-                                                    .looked_for = 20s}};
+                                                    .looked_for = 20s,
+                                                    .edited = {{.keyframes = {5s}, .struck = {30s}}}}};
     const std::string text = lifted_to_json(told);
     const Shot shot{.begin = 0s, .end = 60s, .stored = StoredShot{.file = "clip"}};
     TapestryShow strip(drawn_tapestry(), drawn_film({shot}), {640, 360}, {.patience = {}});

@@ -679,7 +679,13 @@ struct TwoBoxes {
     std::chrono::nanoseconds ahead = 5s;  // of the clock of the one that follows
     TapestryStep led{}, followed{};
 
-    explicit TwoBoxes(std::chrono::nanoseconds stored_from = 0s) {
+    /// @param edited  where touches change the keyframes
+    explicit TwoBoxes(std::chrono::nanoseconds stored_from = 0s,
+                      const std::optional<KeyframeChoice>& edited = {})
+        : leads{.strip{drawn_tapestry(),
+                       drawn_film(),
+                       {640, 360},
+                       {.first_source = 1000, .patience = {}, .edited = edited}}} {
         follows.now += ahead;
         for (House* const house : {&leads, &follows})
             house->set_shots({stored_shot(stored_from, 40s), stored_shot(40s, 60s)});
@@ -752,6 +758,17 @@ TEST_CASE("another box shows the same of a tapestry, whatever a hand does") {
     CHECK(boxes.look_alike());
     boxes.run(30s);  // by itself, over the border of two shots
     CHECK(boxes.look_alike());
+}
+
+TEST_CASE("another box shows the marks of keyframes that are edited") {
+    TwoBoxes boxes(0s, KeyframeChoice{.keyframes = {31s}});
+    boxes.run(1s);
+    CHECK(boxes.look_alike());
+    const std::size_t before = boxes.followed.frame.items.size();
+    boxes.touch(Kind::tap, {250, upper_row});  // strikes a picture: a veil and a dash
+    boxes.run(1s);
+    CHECK(boxes.look_alike());
+    CHECK(boxes.followed.frame.items.size() == before + 2);
 }
 
 TEST_CASE("a box that comes later plays the film from where it is") {
