@@ -229,6 +229,8 @@ CURES = [
          "    spans_.use_store_alone();\n", "", "scene_test.tapestry_show_test"),
     Cure("marks of keyframes that other boxes do not show", "player/scene/tapestry/tapestry_show.cpp",
          "return seen->edited ? &*seen->edited : nullptr;", "return nullptr;", "scene_test.tapestry_show_test"),
+    Cure("a notice without a picture that covers the walls", "player/content/notices.cpp",
+         "        if (can_be_shown(*file)) ", "        if (can_be_shown(*file) || true) ", "content_test.notices_test"),
     Cure("two taps that open no tapestry", "player/stage/gesture_dispatch.cpp",
          "    open_wanted(now);\n", "    (void)&GestureDispatch::open_wanted;\n", "stage_test.tapestry_playback_test"),
     Cure("a Live Photo whose film other boxes do not play", "player/scene/acts/act_of_wall.cpp",

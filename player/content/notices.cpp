@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -16,16 +17,18 @@ Notices::Notices(std::filesystem::path note) : file_(std::move(note)) {
     read();
 }
 
-bool Notices::set_files(const RecordList& files, Time now) {
-    std::map<std::string, Notice> found;
+bool Notices::set_files(const RecordList& files, const CanBeShown& can_be_shown, Time now) {
+    notices_.clear();
+    std::set<std::string> there;
     const std::string first = "!", end = "\"";  // the character behind '!'
-    for (const RecordList::Record& file : files.between(first, end))
-        if (const auto notice = notice_named(file->path)) found.emplace(notice->entry, *notice);
-    const bool is_same = found == notices_;
-    notices_ = std::move(found);
-    if (is_same) return false;
+    for (const RecordList::Record& file : files.between(first, end)) {
+        const auto notice = notice_named(file->path);
+        if (!notice) continue;
+        there.insert(notice->entry);
+        if (can_be_shown(*file)) notices_.emplace(notice->entry, *notice);
+    }
     const auto before = since_;
-    std::erase_if(since_, [&](const auto& one) { return !notices_.contains(one.first); });
+    std::erase_if(since_, [&](const auto& one) { return !there.contains(one.first); });
     for (const auto& [entry, notice] : notices_)
         since_.emplace(entry, now);
     if (since_ != before) write();

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -12,17 +13,20 @@ namespace vitrine::player {
 
 /// Follows the notices ("!NOW 20min notice/"): which one covers the walls now, and which are over. The time
 /// of a notice begins when its first file can be shown. It is noted in the state directory, so that a restart
-/// does not begin it again. A notice whose files go is forgotten. Logs.
+/// does not begin it again. A notice of which no file can be shown covers nothing. A notice whose files go is
+/// forgotten. Logs.
 class Notices {
   public:
     using Time = std::chrono::sys_seconds;
+    using CanBeShown = std::function<bool(const MediaRecord&)>;
 
     /// @param note  the file of the note; empty: nothing is noted
     explicit Notices(std::filesystem::path note);
 
-    /// @param files  those with shots
+    /// @param files         those with shots
+    /// @param can_be_shown  tells whether a file of a notice could be shown if there were no notices
     /// @return true: other files may be shown than before
-    bool set_files(const RecordList& files, Time now);
+    bool set_files(const RecordList& files, const CanBeShown& can_be_shown, Time now);
 
     /// Call about once a second. @return  true: other files may be shown than at the last call
     bool look(Time now);
@@ -41,8 +45,8 @@ class Notices {
     void write() const;
 
     std::filesystem::path file_;
-    std::map<std::string, Time> since_;  // entry -> begin
-    std::map<std::string, Notice> notices_;
+    std::map<std::string, Time> since_;      // entry -> begin
+    std::map<std::string, Notice> notices_;  // those of which a file can be shown
     std::string active_;
     Time now_{};
 };

@@ -92,7 +92,7 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const ShowDay
                     follow_catalogue(change, records);
                 }) {}
 
-FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
+FileVisibility VisibleFiles::judge_without_notices(const MediaRecord& file) const {
     const std::string& path = file.path;
     const auto because = [&](Visibility visibility, std::string detail = {}) {
         return FileVisibility{.path = path, .visibility = visibility, .detail = std::move(detail)};
@@ -106,9 +106,19 @@ FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
     if (dismissed_.contains(path)) return because(Visibility::dismissed);
     if (!is_open && !hours_.has_time()) return because(Visibility::no_clock, hours_.hours_of(path));
     if (!is_open) return because(Visibility::out_of_hours, hours_.hours_of(path));
-    if (notices_.is_over(path)) return because(Visibility::notice_over);
-    if (notices_.is_covered(path)) return because(Visibility::covered, notices_.active());
     return because(Visibility::waits_for_turn);
+}
+
+FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
+    FileVisibility judged = judge_without_notices(file);
+    if (!may_be_shown(judged.visibility)) return judged;
+    if (notices_.is_over(file.path)) {
+        judged.visibility = Visibility::notice_over;
+    } else if (notices_.is_covered(file.path)) {
+        judged.visibility = Visibility::covered;
+        judged.detail = notices_.active();
+    }
+    return judged;
 }
 
 FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
@@ -146,9 +156,12 @@ void VisibleFiles::apply_filters() {
 /// @param paths  none: all files
 void VisibleFiles::judge_again(std::optional<std::set<std::string>> paths) {
     const bool is_other_trial = crash_note_.set_files(ready_);
-    const bool is_other_notice = notices_.set_files(ready_, clock());
     hours_.set_files(ready_);
     (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
+    const auto can_be_shown = [this](const MediaRecord& file) {
+        return may_be_shown(judge_without_notices(file).visibility);
+    };
+    const bool is_other_notice = notices_.set_files(ready_, can_be_shown, clock());
     std::set<std::string> by_hours = hours_.take_changed();
     const auto today = hours_.today();
     const bool has_other_hints = !by_hours.empty() || today != hints_.today;

@@ -105,6 +105,7 @@ class VisibleFiles {
     void judge_again(std::optional<std::set<std::string>> paths);
     void tell_change(bool is_other);
     void set_content(WallContent content);
+    FileVisibility judge_without_notices(const MediaRecord& file) const;
     FileVisibility judge_file(const MediaRecord& file) const;
 
     const Rehearsal* rehearsal_;

@@ -15,11 +15,19 @@ constexpr std::chrono::sys_seconds noon = std::chrono::sys_days(std::chrono::yea
 
 const std::vector<MediaRecord> with_notice{photo("!NOW 20min fire/a.jpg"), photo("b.jpg")};
 
+bool all(const MediaRecord&) {
+    return true;
+}
+
+bool none(const MediaRecord&) {
+    return false;
+}
+
 }  // namespace
 
 TEST_CASE("a notice covers all other files for its time, and is over then") {
     Notices notices("");
-    CHECK(notices.set_files(with_notice, noon));
+    CHECK(notices.set_files(with_notice, all, noon));
     CHECK(notices.active() == "!NOW 20min fire");
     CHECK(notices.is_covered("b.jpg"));
     CHECK_FALSE(notices.is_covered("!NOW 20min fire/a.jpg"));
@@ -34,10 +42,10 @@ TEST_CASE("a restart does not begin a notice again") {
     const TemporaryDirectory house;
     {
         Notices notices(house.path / "notices");
-        notices.set_files(with_notice, noon);
+        notices.set_files(with_notice, all, noon);
     }
     Notices notices(house.path / "notices");
-    notices.set_files(with_notice, noon + 15min);
+    notices.set_files(with_notice, all, noon + 15min);
     CHECK_FALSE(notices.active().empty());
     CHECK(notices.look(noon + 20min));
     CHECK(notices.active().empty());
@@ -45,12 +53,12 @@ TEST_CASE("a restart does not begin a notice again") {
 
 TEST_CASE("a notice without a time stays until it is taken away, and begins anew when it comes back") {
     Notices notices("");
-    notices.set_files(std::vector<MediaRecord>{photo("!NOW 1min.jpg"), photo("!NOW.jpg")}, noon);
+    notices.set_files(std::vector<MediaRecord>{photo("!NOW 1min.jpg"), photo("!NOW.jpg")}, all, noon);
     (void)notices.look(noon + 1min);
     CHECK(notices.active() == "!NOW.jpg");
-    CHECK(notices.set_files(std::vector<MediaRecord>{photo("b.jpg")}, noon + 2min));
+    CHECK(notices.set_files(std::vector<MediaRecord>{photo("b.jpg")}, all, noon + 2min));
     CHECK(notices.active().empty());
-    CHECK(notices.set_files(std::vector<MediaRecord>{photo("!NOW 1min.jpg")}, noon + 3min));
+    CHECK(notices.set_files(std::vector<MediaRecord>{photo("!NOW 1min.jpg")}, all, noon + 3min));
     CHECK(notices.active() == "!NOW 1min.jpg");
 }
 
@@ -59,8 +67,8 @@ TEST_CASE("of two notices the one that came last covers the walls, then the othe
     const std::vector<MediaRecord> first{photo("!NOW 10min a.jpg")};
     std::vector<MediaRecord> both = first;
     both.push_back(photo("!NOW 1min b.jpg"));
-    notices.set_files(first, noon);
-    notices.set_files(both, noon + 1min);
+    notices.set_files(first, all, noon);
+    notices.set_files(both, all, noon + 1min);
     CHECK(notices.active() == "!NOW 1min b.jpg");
     notices.look(noon + 2min);
     CHECK(notices.active() == "!NOW 10min a.jpg");
@@ -68,7 +76,7 @@ TEST_CASE("of two notices the one that came last covers the walls, then the othe
 
 TEST_CASE("a clock that is set back does not make a notice longer than its time") {
     Notices notices("");
-    notices.set_files(with_notice, noon);
+    notices.set_files(with_notice, all, noon);
     notices.look(noon - 24h);
     CHECK(notices.look(noon - 24h + 20min));
     CHECK(notices.active().empty());
@@ -79,7 +87,20 @@ TEST_CASE("a note that is damaged begins the notices of today") {
     for (const char* text : {"x y", "12 zz", "99999999999999999999999 00", ""}) {
         house.write("notices", text);
         Notices notices(house.path / "notices");
-        notices.set_files(with_notice, noon);
+        notices.set_files(with_notice, all, noon);
         CHECK(notices.active() == "!NOW 20min fire");
     }
+}
+
+TEST_CASE(
+    "a notice of which no file can be shown covers nothing, and its time begins with the first that can") {
+    Notices notices("");
+    CHECK_FALSE(notices.set_files(with_notice, none, noon));
+    CHECK_FALSE(notices.is_covered("b.jpg"));
+    CHECK(notices.set_files(with_notice, all, noon + 1h));
+    CHECK(notices.is_covered("b.jpg"));
+    CHECK(notices.set_files(with_notice, none, noon + 1h + 5min));  // taken off the wall
+    CHECK_FALSE(notices.is_covered("b.jpg"));
+    CHECK(notices.set_files(with_notice, all, noon + 1h + 10min));  // its time has gone on
+    CHECK(notices.look(noon + 1h + 20min));
 }

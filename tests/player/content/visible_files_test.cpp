@@ -100,6 +100,36 @@ TEST_CASE("a notice is shown in place of everything, and whole") {
     CHECK(house.files->judge(*house.files->find("b.jpg")).visibility == Visibility::covered);
 }
 
+TEST_CASE("a notice whose only picture is taken off the wall, or has not come, covers nothing") {
+    House house({photo("!NOW fire.jpg"), photo("b.jpg")});
+    SUBCASE("taken off") {
+        house.open();
+        CHECK_FALSE(house.may_show("b.jpg"));
+        house.files->set_dismissed({"!NOW fire.jpg"});
+        CHECK(house.may_show("b.jpg"));
+        house.files->set_dismissed({});
+        CHECK_FALSE(house.may_show("b.jpg"));
+        CHECK(house.may_show("!NOW fire.jpg"));
+    }
+    SUBCASE("held back, as it brought the player down") {
+        for (int k = 0; k < 2; ++k) {
+            crash(house.state.path, {photo("!NOW fire.jpg")});
+            house.open();
+        }
+        CHECK(house.why("!NOW fire.jpg").visibility == Visibility::held_back);
+        CHECK(house.may_show("b.jpg"));
+    }
+    SUBCASE("comes later in a rehearsal") {
+        Rehearsal comes("5 add !NOW fire.jpg");
+        house.open(&comes);
+        CHECK(house.may_show("b.jpg"));
+        CHECK(comes.advance(5s));
+        house.files->apply_filters();
+        CHECK_FALSE(house.may_show("b.jpg"));
+        CHECK(house.may_show("!NOW fire.jpg"));
+    }
+}
+
 TEST_CASE("while the displays are off every file tells so, and none is lost") {
     House house({photo("a.jpg")});
     house.open();
