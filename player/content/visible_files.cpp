@@ -60,6 +60,18 @@ std::string reasons_in(const std::map<Visibility, std::size_t>& counts, std::siz
     return reasons;
 }
 
+/// The last filters: a file that could be shown if there were no notices.
+FileVisibility judge_by(const Notices& notices, FileVisibility judged) {
+    if (!may_be_shown(judged.visibility)) return judged;
+    if (notices.is_over(judged.path)) {
+        judged.visibility = Visibility::notice_over;
+    } else if (notices.is_covered(judged.path)) {
+        judged.visibility = Visibility::covered;
+        judged.detail = notices.active();
+    }
+    return judged;
+}
+
 void log_change(const CatalogueChange& change) {
     for (const std::string& path : change.added)
         log::write_with(log::Level::info, fmt::format("new: '{}'", path), {{"VITRINE_FILE", path}});
@@ -81,7 +93,7 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const ShowDay
       notices_(rehearsal == nullptr ? state / "notices" : fs::path()),
       hours_(state, days),
       judged_([this](const MediaRecord& file) {
-          FileVisibility judged = judge_file(file);
+          FileVisibility judged = judge_by(notices_, judge_file(file));
           if (may_be_shown(judged.visibility)) judged.visibility = judge_folder(content_, file.path);
           return judged;
       }),
@@ -92,7 +104,7 @@ VisibleFiles::VisibleFiles(EventLoop& loop, const fs::path& state, const ShowDay
                     follow_catalogue(change, records);
                 }) {}
 
-FileVisibility VisibleFiles::judge_without_notices(const MediaRecord& file) const {
+FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
     const std::string& path = file.path;
     const auto because = [&](Visibility visibility, std::string detail = {}) {
         return FileVisibility{.path = path, .visibility = visibility, .detail = std::move(detail)};
@@ -109,20 +121,8 @@ FileVisibility VisibleFiles::judge_without_notices(const MediaRecord& file) cons
     return because(Visibility::waits_for_turn);
 }
 
-FileVisibility VisibleFiles::judge_file(const MediaRecord& file) const {
-    FileVisibility judged = judge_without_notices(file);
-    if (!may_be_shown(judged.visibility)) return judged;
-    if (notices_.is_over(file.path)) {
-        judged.visibility = Visibility::notice_over;
-    } else if (notices_.is_covered(file.path)) {
-        judged.visibility = Visibility::covered;
-        judged.detail = notices_.active();
-    }
-    return judged;
-}
-
 FileVisibility VisibleFiles::judge(const MediaRecord& file) const {
-    FileVisibility judged = judge_file(file);
+    FileVisibility judged = judge_by(notices_, judge_file(file));
     if (!may_be_shown(judged.visibility)) return judged;
     judged.visibility = judge_folder(content_, file.path);
     return seen_on(std::move(judged), content_.files, hints_.groups, Moments(ready_));
@@ -159,7 +159,7 @@ void VisibleFiles::judge_again(std::optional<std::set<std::string>> paths) {
     hours_.set_files(ready_);
     (void)hours_.look(rehearsal_ != nullptr ? rehearsal_->local_time() : std::nullopt);
     const auto can_be_shown = [this](const MediaRecord& file) {
-        return may_be_shown(judge_without_notices(file).visibility);
+        return may_be_shown(judge_file(file).visibility);
     };
     const bool is_other_notice = notices_.set_files(ready_, can_be_shown, clock());
     std::set<std::string> by_hours = hours_.take_changed();

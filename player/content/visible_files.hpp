@@ -42,8 +42,8 @@ struct WallContent {
 
 /// The one list of the files that may be on the wall, with the reason for each other file. It follows the
 /// catalogue, the hours, the crashes of the player and the files that vitrinectl took off; judge_file() has a
-/// line for each filter. Only files that changed are judged anew. It keeps STATE/visible.json up to date.
-/// Logs.
+/// line for each filter but the notices. Only files that changed are judged anew. It keeps STATE/visible.json
+/// up to date. Logs.
 class VisibleFiles {
   public:
     using Time = CrashNote::Time;
@@ -105,7 +105,6 @@ class VisibleFiles {
     void judge_again(std::optional<std::set<std::string>> paths);
     void tell_change(bool is_other);
     void set_content(WallContent content);
-    FileVisibility judge_without_notices(const MediaRecord& file) const;
     FileVisibility judge_file(const MediaRecord& file) const;
 
     const Rehearsal* rehearsal_;
