@@ -153,6 +153,19 @@ void put_first(std::vector<Polygon>& parts, const Polygon& region) {
     if (found != parts.end()) std::iter_swap(parts.begin(), found);
 }
 
+/// A core within the canvas. Sides that are less than a pixel from the canvas' edges are moved onto them,
+/// where the picture's outermost pixels are repeated. The strips between would go to other items, as needles
+/// along the edge.
+Box reaching_edges(Box core, const Box& canvas) {
+    constexpr double near = 1;  // canvas px
+    if (core.is_empty()) return core;
+    if (core.min.x - canvas.min.x < near) core.min.x = canvas.min.x;
+    if (core.min.y - canvas.min.y < near) core.min.y = canvas.min.y;
+    if (canvas.max.x - core.max.x < near) core.max.x = canvas.max.x;
+    if (canvas.max.y - core.max.y < near) core.max.y = canvas.max.y;
+    return core;
+}
+
 void add_to(std::vector<Polygon>& polygons, std::vector<std::array<Vec2, 3>>& triangles, const Loops& loops) {
     for (const Loop& loop : loops) {
         polygons.push_back(from_grid(loop));
@@ -171,7 +184,7 @@ std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout,
         const Placement& at = layout.placements[i];
         sites.regions.push_back(placed_region(items[i], at));
         frames.push_back(placed_core(items[i], at));
-        const Box core = intersection(frames.back(), canvas);
+        const Box core = reaching_edges(intersection(frames.back(), canvas), canvas);
         sites.cores.emplace_back();
         if (!core.is_empty()) sites.cores.back().push_back(to_grid(to_polygon(core)));
     }

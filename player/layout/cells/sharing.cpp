@@ -14,7 +14,10 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double whole_share = 0.004;  // share of the canvas; a smaller leftover goes to one taker as a whole
+// A leftover of a smaller share of the canvas, and no longer than this share of the canvas' width and height
+// together, goes to one taker as a whole. A long one would reach along other items, as a needle.
+constexpr double whole_share = 0.004;
+constexpr double whole_length = 0.02;
 
 /// A part of the canvas where the nearest item has no pixels. The takers are the items that have pixels
 /// there.
@@ -99,7 +102,7 @@ class LeftoverSharing {
 
     void give(const Leftover& leftover, std::vector<Loops>& shown) {
         const std::set<std::size_t> takers = likely_takers(leftover, regions_);
-        if (takers.size() == 1 || area_of(leftover.area) < whole_share * canvas_.area()) {
+        if (takers.size() == 1 || is_small(leftover.area)) {
             append(shown[nearest(leftover, takers)], leftover.area);
             return;
         }
@@ -113,6 +116,13 @@ class LeftoverSharing {
     }
 
   private:
+    bool is_small(const Loops& area) const {
+        const Box bounds = bounds_of(area);
+        return area_of(area) < whole_share * canvas_.area() &&
+               std::max(bounds.width(), bounds.height()) <
+                   whole_length * (canvas_.width() + canvas_.height());
+    }
+
     /// The taker whose region is nearest to the middle of the leftover.
     std::size_t nearest(const Leftover& leftover, const std::set<std::size_t>& takers) const {
         const Vec2 middle = bounds_of(leftover.area).centre();

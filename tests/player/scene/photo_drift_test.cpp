@@ -2,6 +2,7 @@
 
 #include "player/scene/crossfade.hpp"
 #include "player/scene/transition_frame.hpp"
+#include "tests/player/layout/cells/shown_frame.hpp"
 #include "tests/player/scene/changing_wall.hpp"
 #include "tests/player/scene/frame_faults.hpp"
 
@@ -101,8 +102,7 @@ TEST_CASE("a drifting photo shows its region at any time, and no edge of its pic
                 Placement at = placed.placement;
                 at.offset = at.offset + drift_at(placed, now);
                 const Loops region{to_grid(placed_region(placed.shot.item, at))};
-                const Loops picture{
-                    to_grid(transformed(to_polygon(placed.shot.item.core), at.scale, at.offset))};
+                const Loops picture{to_grid(to_polygon(shown_frame(placed.shot.item, at, screen)))};
                 CHECK(area_of(difference_of(region, cell)) < 1e-3);
                 CHECK(area_of(difference_of(cell, picture)) < 1e-3);
             }

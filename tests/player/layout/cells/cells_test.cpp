@@ -3,6 +3,7 @@
 #include "player/layout/cells/grid.hpp"
 #include "player/layout/cells/triangulation.hpp"
 #include "player/layout/plan/plan_output.hpp"
+#include "tests/player/layout/cells/shown_frame.hpp"
 #include "tests/player/layout/instances.hpp"
 
 #include <doctest/doctest.h>
@@ -50,7 +51,7 @@ void check_cells(const std::vector<LayoutItem>& items, const Layout& layout) {
         const Loops region{to_grid(placed_region(items[i], at))};
         REQUIRE_FALSE(cell.parts.empty());
         CHECK(area_of(difference_of(region, {to_grid(cell.parts[0])})) < 1e-3);
-        const Loops frame{to_grid(transformed(to_polygon(items[i].core), at.scale, at.offset))};
+        const Loops frame{to_grid(to_polygon(shown_frame(items[i], at, layout.canvas)))};
         CHECK(area_of(difference_of(parts, frame)) < 1e-3);
     }
     CHECK(sum == doctest::Approx(canvas_area).epsilon(1e-6));
@@ -263,4 +264,29 @@ TEST_CASE("feathers end before the next region and before the picture does") {
         }
     CHECK(widest > 8);
     CHECK(cells(items, layout)[0].fade_edges.empty());
+}
+
+TEST_CASE("a cell sends no needle along the canvas' edge, where other pictures end a hair before it") {
+    const Vec2 canvas{1000, 400};
+    std::vector<LayoutItem> items;
+    Layout layout{.canvas = canvas};
+    for (const double left : {0.0, 400.0, 700.0}) {
+        const double end = left == 400 ? 500 : 399.98;
+        items.push_back({.region = {{left, 100}, {left + 200, 100}, {left + 200, 390}, {left, 390}},
+                         .core = {{-100, -100}, {1100, end}}});
+        layout.placements.push_back({});
+    }
+    check_cells(items, layout);
+    CHECK(bounding_box(cells(items, layout)[1].parts[0]).width() < 500);
+}
+
+TEST_CASE("a narrow strip between two pictures goes to the items along it, not to one of them alone") {
+    const Box film{{0, 0}, {1000, 160}};
+    const std::vector<LayoutItem> items{
+        {.region = to_polygon(film), .core = film},
+        {.region = to_polygon({{0, 162}, {510, 380}}), .core = {{-100, -100}, {1100, 500}}},
+        {.region = to_polygon({{530, 162}, {1000, 380}}), .core = {{400, -100}, {1100, 500}}}};
+    const Layout layout{.canvas = {1000, 400}, .placements = {{}, {}, {}}};
+    check_cells(items, layout);
+    CHECK(bounding_box(cells(items, layout)[2].parts[0]).min.x > 515);
 }

@@ -2,6 +2,7 @@
 
 #include "player/layout/cells/cells.hpp"
 #include "player/layout/cells/seam_bends.hpp"
+#include "tests/player/layout/cells/shown_frame.hpp"
 #include "tests/player/layout/instances.hpp"
 
 #include <doctest/doctest.h>
@@ -69,7 +70,7 @@ void check_partition(const Wall& wall, const CellStyle& style) {
         const Placement& at = wall.layout.placements[i];
         const Polygon region = clipped(placed_region(wall.items[i], at), canvas);
         CHECK(area_of(difference_of({to_grid(region)}, areas[i])) < 1e-4);
-        const Loop core = to_grid(transformed(to_polygon(wall.items[i].core), at.scale, at.offset));
+        const Loop core = to_grid(to_polygon(shown_frame(wall.items[i], at, wall.layout.canvas)));
         CHECK(area_of(difference_of(areas[i], {core})) < 1e-3);
     }
 }
