@@ -36,11 +36,11 @@ struct CellStyle {
 };
 
 /// Divides the whole canvas: every point goes to the item with the nearest I-Region, among the items whose
-/// core has pixels at the point; without such an item, to the nearest item as filler. A core that ends less than
-/// a pixel before the canvas' edge counts as reaching it. The cells of one layout
-/// cover the canvas exactly once. Each cell contains its whole I-Region (inside the canvas). Gutters and cut
-/// corners belong to no cell. A group divides its own cell among its items.
-/// Source: Dynamic Media Assemblage 3.5. Differs: exact Voronoi diagram of the outlines, not sampled sites.
+/// core has pixels at the point; without such an item, to the nearest item as filler. A core that ends less
+/// than a pixel before the canvas' edge counts as reaching it. The cells of one layout cover the canvas
+/// exactly once. Each cell contains its whole I-Region (inside the canvas). Gutters and cut corners belong to
+/// no cell. A group divides its own cell among its items. Source: Dynamic Media Assemblage 3.5. Differs:
+/// exact Voronoi diagram of the outlines, not sampled sites.
 /// @pre the I-Regions do not overlap
 std::vector<Cell> cells(std::span<const LayoutItem> items, const Layout& layout, const CellStyle& style = {});
 

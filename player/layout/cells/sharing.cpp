@@ -14,10 +14,11 @@ namespace vitrine::player {
 
 namespace {
 
-// A leftover of a smaller share of the canvas, and no longer than this share of the canvas' width and height
-// together, goes to one taker as a whole. A long one would reach along other items, as a needle.
-constexpr double whole_share = 0.004;
-constexpr double whole_length = 0.02;
+constexpr double whole_share = 0.004;  // share of the canvas; a smaller leftover goes to one taker as a whole
+constexpr double needle_length = 32;   // canvas px; a smaller leftover that is longer than this,
+constexpr double needle_width = 16;    // canvas px, and narrower than this goes to the takers along it
+constexpr double needle_step = 8;      // canvas px between the places where its takers are compared
+constexpr int border_halvings = 12;    // of a step: the border between two takers is exact to 1/500 px
 
 /// A part of the canvas where the nearest item has no pixels. The takers are the items that have pixels
 /// there.
@@ -36,6 +37,16 @@ Box bounds_of(const Loops& loops) {
         for (const CellPoint& p : loop)
             corners.push_back(from_grid(p));
     return bounding_box(corners);
+}
+
+/// The corners that lie farthest apart along an axis, the lesser one first.
+std::pair<Vec2, Vec2> ends_of(const Loops& loops, double Vec2::*along) {
+    std::vector<Vec2> corners;
+    for (const Loop& loop : loops)
+        for (const CellPoint& p : loop)
+            corners.push_back(from_grid(p));
+    const auto [first, last] = std::ranges::minmax_element(corners, {}, along);
+    return {*first, *last};
 }
 
 /// Splits such an area by the sets of items that have pixels.
@@ -102,8 +113,15 @@ class LeftoverSharing {
 
     void give(const Leftover& leftover, std::vector<Loops>& shown) {
         const std::set<std::size_t> takers = likely_takers(leftover, regions_);
-        if (takers.size() == 1 || is_small(leftover.area)) {
-            append(shown[nearest(leftover, takers)], leftover.area);
+        const double area = area_of(leftover.area);
+        if (takers.size() == 1 || area < whole_share * canvas_.area()) {
+            const Box bounds = bounds_of(leftover.area);
+            const double length = std::max(bounds.width(), bounds.height());
+            const bool is_needle = length > needle_length && area < needle_width * length;
+            if (is_needle && takers.size() > 1)
+                give_along(leftover.area, takers, shown);
+            else
+                append(shown[nearest(bounds.centre(), takers)], leftover.area);
             return;
         }
         const std::vector<Loops>& diagram = diagram_of(takers);
@@ -116,18 +134,37 @@ class LeftoverSharing {
     }
 
   private:
-    bool is_small(const Loops& area) const {
-        const Box bounds = bounds_of(area);
-        return area_of(area) < whole_share * canvas_.area() &&
-               std::max(bounds.width(), bounds.height()) <
-                   whole_length * (canvas_.width() + canvas_.height());
+    /// Cuts a long narrow leftover across, where another taker becomes the nearest. One taker alone would lie
+    /// along the others as a needle.
+    void give_along(Loops rest, const std::set<std::size_t>& takers, std::vector<Loops>& shown) const {
+        const Box bounds = bounds_of(rest);
+        const auto along = bounds.width() >= bounds.height() ? &Vec2::x : &Vec2::y;
+        const auto [first, last] = ends_of(rest, along);
+        const auto at = [first = first, last = last](double share) { return first + (last - first) * share; };
+        const int steps = static_cast<int>(std::ceil((last.*along - first.*along) / needle_step));
+        std::size_t taker = nearest(first, takers);
+        for (int k = 1; k <= steps; ++k) {
+            const std::size_t next = nearest(at(1.0 * k / steps), takers);
+            if (next == taker) continue;
+            double before = (k - 1.0) / steps, behind = 1.0 * k / steps;
+            for (int halving = 0; halving < border_halvings; ++halving) {
+                const double middle = (before + behind) / 2;
+                (nearest(at(middle), takers) == taker ? before : behind) = middle;
+            }
+            Box part{bounds.min - Vec2{1, 1}, bounds.max + Vec2{1, 1}};
+            part.max.*along = at(behind).*along;
+            const Loops cut{to_grid(to_polygon(part))};
+            append(shown[taker], intersection_of(rest, cut));
+            rest = difference_of(rest, cut);
+            taker = next;
+        }
+        append(shown[taker], rest);
     }
 
-    /// The taker whose region is nearest to the middle of the leftover.
-    std::size_t nearest(const Leftover& leftover, const std::set<std::size_t>& takers) const {
-        const Vec2 middle = bounds_of(leftover.area).centre();
+    /// The taker whose region is nearest to a place.
+    std::size_t nearest(Vec2 place, const std::set<std::size_t>& takers) const {
         return *std::min_element(takers.begin(), takers.end(), [&](std::size_t a, std::size_t b) {
-            return distance_to(regions_[a], middle) < distance_to(regions_[b], middle);
+            return distance_to(regions_[a], place) < distance_to(regions_[b], place);
         });
     }
 
