@@ -235,6 +235,8 @@ CURES = [
          "constexpr double near = 1;", "constexpr double near = 0;", "layout_test.cells_test"),
     Cure("a needle of a picture between two others", "player/layout/cells/sharing.cpp",
          "constexpr double needle_width = 16;", "constexpr double needle_width = 0;", "layout_test.cells_test"),
+    Cure("a notice that a visitor flicks away", "player/scene/wall_touch.cpp",
+         "    if (is_out && !is_notice) {", "    if (is_out && (!is_notice || true)) {", "scene_test.wall_touch_test"),
     Cure("two taps that open no tapestry", "player/stage/gesture_dispatch.cpp",
          "    open_wanted(now);\n", "    (void)&GestureDispatch::open_wanted;\n", "stage_test.tapestry_playback_test"),
     Cure("a Live Photo whose film other boxes do not play", "player/scene/acts/act_of_wall.cpp",

@@ -1,5 +1,6 @@
 #include "player/scene/wall_touch.hpp"
 
+#include "base/hints/notice.hpp"
 #include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
 
@@ -160,14 +161,16 @@ void WallTouch::end_drag(const Gesture& gesture, const TouchedWall& wall) {
     lifted->since = now_;
     if (lifted->state == State::large || !is_dropped) return bring_back(*lifted);
     const Vec2 end = gesture.at + gesture.velocity * flight;
-    if (gesture.kind == Gesture::Kind::flick && !is_inside(end, wall.canvas)) {
+    const bool is_out = gesture.kind == Gesture::Kind::flick && !is_inside(end, wall.canvas);
+    const bool is_notice = notice_named(lifted->picture.placed().shot.key.path).has_value();
+    if (is_out && !is_notice) {
         lifted->state = State::gone;
         LiftedPose away = lifted->picture.goal();
         away.at.offset = away.at.offset + gesture.velocity * flight * 2;
         away.alpha = 0;
         return lifted->picture.aim(away, now_, flight_time);
     }
-    if (!is_inside(gesture.at, wall.canvas)) return bring_back(*lifted);
+    if (is_out || !is_inside(gesture.at, wall.canvas)) return bring_back(*lifted);
     lifted->state = State::let_go;
 }
 

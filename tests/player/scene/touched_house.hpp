@@ -60,6 +60,16 @@ struct TouchedHouse {
         }
     }
 
+    /// A finger flicks to the right.
+    void flick_right(Vec2 from) {
+        put(Contact::Kind::down, 0, from);
+        for (int k = 1; k <= 8; ++k) {
+            now += std::chrono::milliseconds(5);
+            put(Contact::Kind::move, 0, from + Vec2{60.0 * k, 0});
+        }
+        put(Contact::Kind::up, 0);
+    }
+
     /// The next frame, 25 ms later.
     Frame frame(std::chrono::nanoseconds later = std::chrono::milliseconds(25)) {
         now += later;

@@ -159,12 +159,7 @@ TEST_CASE("a shot that is flicked out is offered in its place for a moment; a ta
         TouchedHouse house;
         const std::vector<Placement> before = house.placements();
         const Vec2 at = centre_of(house.wall[4]);
-        house.put(Kind::down, 0, at);
-        for (int k = 1; k <= 8; ++k) {
-            house.now += 5ms;
-            house.put(Kind::move, 0, at + Vec2{60.0 * k, 0});
-        }
-        house.put(Kind::up, 0);
+        house.flick_right(at);
         Frame frame = house.run(2s);
         CHECK(house.placements() == before);
         CHECK(frame.items[4].alpha == doctest::Approx(waiting_light));
@@ -177,6 +172,18 @@ TEST_CASE("a shot that is flicked out is offered in its place for a moment; a ta
         CHECK((frame.items[4].alpha == 1) == (way != 2));
         CHECK(frame.items.size() == (way == 2 ? 6 : 6));
     }
+}
+
+TEST_CASE("a notice is not flicked out: it returns to its place") {
+    TouchedHouse house;
+    house.wall[4].shot.key.path = "!NOW 5min fire/a.jpg";
+    const std::vector<Placement> before = house.placements();
+    house.flick_right(centre_of(house.wall[4]));
+    const Frame frame = house.run(8s);
+    CHECK(house.dismissed.empty());
+    CHECK_FALSE(house.touch.is_active());
+    CHECK(frame.items[4].alpha == 1);
+    CHECK(house.placements() == before);
 }
 
 TEST_CASE("a shot that is dropped beside the canvas returns to its place") {
