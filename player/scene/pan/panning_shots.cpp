@@ -11,6 +11,15 @@ void PanningShots::set_files(const RecordList& records, const ShowHints& hints) 
     rotation_.set_files(groups_.heads(), hints);
 }
 
+std::size_t PanningShots::count_shots(std::size_t most) const {
+    std::size_t count = 0;
+    for (const RecordList::Record& record : groups_.heads()) {
+        if (count >= most) break;
+        count += record->shots.size();
+    }
+    return std::min(count, most);
+}
+
 std::vector<WallShot> PanningShots::next_shots(std::size_t count,
                                                const std::function<bool(const ShotKey&)>& is_on_wall) {
     std::vector<WallShot> shots;

@@ -28,6 +28,9 @@ class PanningShots {
 
     bool is_empty() const { return files_.all().is_empty(); }
 
+    /// The number of shots that take turns, at most `most`.
+    std::size_t count_shots(std::size_t most) const;
+
     /// @param is_on_wall  true: the shot is on the wall already
     std::vector<WallShot> next_shots(std::size_t count,
                                      const std::function<bool(const ShotKey&)>& is_on_wall);

@@ -1,10 +1,22 @@
 #include "player/scene/pan/panning_wall.hpp"
 
+#include "player/layout/cells/cut_cell.hpp"
 #include "player/scene/crossfade.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace vitrine::player {
+
+namespace {
+
+constexpr auto fade_time = std::chrono::milliseconds(800);
+
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
 
 PanningWall::PanningWall(const Canvas& canvas, const PanSettings& settings)
     : canvas_(canvas),
@@ -16,6 +28,7 @@ void PanningWall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     shots_.set_screen(canvas);
+    if (leaving_) leaving_->fading = std::chrono::nanoseconds::min() / 2;  // it is over
     touch_.put_all_down();
     motion_.stop();
     view_ = 0;
@@ -23,6 +36,17 @@ void PanningWall::set_canvas(const Canvas& canvas) {
 
 void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     shots_.set_files(records, hints);
+    if (shots_.is_outdated(view_)) begin_anew();
+}
+
+void PanningWall::begin_anew() {
+    if (leaving_)
+        shots_.set_screen(canvas_);
+    else
+        leaving_ = Leaving{.shots = shots_.leave(), .view = view_, .fading = {}};
+    touch_.put_all_down();
+    motion_.stop();
+    view_ = 0;
 }
 
 void PanningWall::set_layout(const Layout& layout) {
@@ -96,6 +120,31 @@ void PanningWall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
     step.requests = touch_.take_needs().requests;
 }
 
+/// Shows what leaves in place of what comes, and fades from one to the other once that is ready.
+void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
+    const std::vector<PlacedShot> coming = is_waiting_ ? std::vector<PlacedShot>{} : shots_.seen(view_);
+    if (!coming.empty() && !leaving_->fading && pace_.is_free(now)) {
+        leaving_->fading = now;
+        pace_.note_change(now);
+    }
+    const double progress = leaving_->fading ? seconds(now - *leaving_->fading) / seconds(fade_time) : 0;
+    if (progress >= 1) {
+        leaving_->shots.set_screen(canvas_);
+        leaving_->shots.ask_and_retire(0, false, step);
+        leaving_.reset();
+        return;
+    }
+    const Vec2 view{view_ - shots_.origin(), 0};
+    const Vec2 by = view - Vec2{leaving_->view - leaving_->shots.origin(), 0};
+    std::vector<PlacedShot> old = leaving_->shots.seen(leaving_->view);
+    for (PlacedShot& placed : old) {
+        placed.placement.offset = placed.placement.offset + by;
+        placed.cell = std::make_shared<const Cell>(scaled_cell(*placed.cell, 1, by));
+    }
+    step.frame = crossfade(canvas_, old, coming, progress, now);
+    step.frame.view = view;
+}
+
 WallStep PanningWall::step(std::chrono::nanoseconds now) {
     WallStep step;
     follow_touch(now, step);
@@ -104,6 +153,7 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     shots_.ask_and_retire(view_, motion_.may_go_back(now), step);
     step.frame = standing_frame(canvas_, shots_.seen(view_), now);
     step.frame.view = {view_ - shots_.origin(), 0};
+    if (leaving_) draw_leaving(now, step);
     touch_.lifted().draw(step.frame);
     return step;
 }

@@ -35,6 +35,7 @@ struct PanParts {
 /// view waits for sources that are late.
 ///
 /// A finger drags and flings the view, up to a screen's width back. It stands still while a shot is enlarged.
+/// Where no file in view may be shown any more, as a notice covers it, the wall fades to what may.
 class PanningWall final : public Show {
   public:
     PanningWall(const Canvas& canvas, const PanSettings& settings);
@@ -69,9 +70,19 @@ class PanningWall final : public Show {
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     void advance(std::chrono::nanoseconds now);
     PanCourse course() const;
+    void begin_anew();
+    void draw_leaving(std::chrono::nanoseconds now, WallStep& step);
+
+    /// What was in view, until the fade to what comes is over.
+    struct Leaving {
+        RibbonShots shots;
+        double view = 0;                                 // ribbon px of these shots
+        std::optional<std::chrono::nanoseconds> fading;  // since then; none: what comes is not ready
+    };
 
     Canvas canvas_;
     RibbonShots shots_;
+    std::optional<Leaving> leaving_;
     double view_ = 0;          // ribbon px
     bool is_waiting_ = false;  // for the source of a shot in view
     std::chrono::nanoseconds now_{0};

@@ -14,6 +14,12 @@ constexpr double ahead = 0.3;   // screens beside the view; the sources of shots
 constexpr double behind = 1.0;  // screens left of the view to which it can go back
 constexpr double max_frame_seconds = 0.1;
 
+/// The number of shots on a screen. Few shots are seen once each, or as often as a wide screen has room.
+std::size_t shown_a_screen(const PanningShots& shots, Vec2 screen, int most) {
+    const auto room = std::clamp(static_cast<int>(screen.x / screen.y), 1, most);
+    return std::max(shots.count_shots(static_cast<std::size_t>(most)), static_cast<std::size_t>(room));
+}
+
 }  // namespace
 
 RibbonShots::RibbonShots(Vec2 screen, const RibbonSettings& settings)
@@ -43,6 +49,26 @@ void RibbonShots::set_files(const RecordList& records, const ShowHints& hints) {
         if (shown.source == Source::asked || shown.source == Source::ready)
             restored_.push_back(request_of(shown.placed));
     }
+}
+
+bool RibbonShots::is_outdated(double view) const {
+    bool is_any = false;
+    for (const Shown& shown : shots_) {
+        if (!is_in_view(shown, view)) continue;
+        if (coming_.has_file(shown.placed.shot.key.path)) return false;
+        is_any = true;
+    }
+    return is_any && has_files();
+}
+
+RibbonShots RibbonShots::leave() {
+    RibbonShots old = *this;
+    old.left_.clear();
+    old.restored_.clear();
+    restored_.clear();
+    shots_.clear();  // the old ones keep their sources
+    set_screen(ribbon_.screen);
+    return old;
 }
 
 /// Drops the shots to which the view does not go back any more, and those to come whose files are gone. It
@@ -75,9 +101,10 @@ std::optional<WallPlan> RibbonShots::extend(double view) {
             return shown.bounds.max.x > view && shown.placed.shot.key == key;
         });
     };
-    if (newcomers_.empty())
-        newcomers_ = coming_.next_shots(
-            wanted_newcomers(ribbon_, static_cast<std::size_t>(settings_.items_a_screen)), is_on_wall);
+    if (newcomers_.empty()) {
+        const std::size_t count = shown_a_screen(coming_, ribbon_.screen, settings_.items_a_screen);
+        newcomers_ = coming_.next_shots(wanted_newcomers(ribbon_, count), is_on_wall);
+    }
     std::vector<LayoutItem> items;
     for (const WallShot& shot : newcomers_)
         items.push_back(shot.item);
@@ -171,7 +198,8 @@ ViewRange RibbonShots::reach(double view) const {
 
 void RibbonShots::ask_and_retire(double view, bool goes_back, WallStep& step) {
     const double width = ribbon_.screen.x;
-    step.retired = std::exchange(left_, {});
+    step.retired.insert(step.retired.end(), left_.begin(), left_.end());
+    left_.clear();
     for (ShotRequest& request : std::exchange(restored_, {}))
         step.requests.push_back(std::move(request));
     const double left = view - (goes_back ? width * ahead : 0);

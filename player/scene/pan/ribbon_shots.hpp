@@ -41,6 +41,12 @@ class RibbonShots {
 
     bool has_files() const { return !coming_.is_empty(); }
 
+    /// True if there are files, and none of the shots in view is of one of them.
+    bool is_outdated(double view) const;
+
+    /// Begins anew, with the shots that come next. @return  all that was laid out, with its sources
+    RibbonShots leave();
+
     /// The plan of more shots, if the view comes near the end. None: there are enough, or no files.
     std::optional<WallPlan> extend(double view);
 

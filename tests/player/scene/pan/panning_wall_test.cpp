@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -148,6 +149,48 @@ TEST_CASE("few shots come again and again") {
     for (int k = 0; k < 400; ++k)
         house.step();
     CHECK(house.wall.view() > 1000);
+}
+
+TEST_CASE("one shot alone is seen once on a screen, or twice where it passes") {
+    House house;
+    house.wall.set_catalogue(photos(1));
+    for (int k = 0; k < 100; ++k)
+        CHECK(house.step().frame.items.size() <= 2);
+    CHECK(house.wall.view() > 200);
+}
+
+TEST_CASE("a notice takes the place of all at once, fading, and what was there comes back after it") {
+    House house;
+    const std::vector<MediaRecord> all = photos(12);
+    const std::vector<MediaRecord> notice{photo("!NOW fire.jpg")};
+    house.wall.set_catalogue(all);
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    for (const bool is_notice : {true, false}) {
+        house.readies = false;
+        house.wall.set_catalogue(is_notice ? notice : all);
+        WallStep step = house.step();
+        for (int k = 0; k < 20; ++k)
+            step = house.step();  // its picture is not ready
+        CHECK(step.frame.idle == 0);
+        CHECK_FALSE(step.frame.items.empty());
+        house.readies = true;
+        for (const SourceId source : house.playing)
+            house.wall.source_ready(source);
+        bool is_mixed = false;
+        for (int k = 0; k < 40; ++k) {
+            step = house.step();
+            CHECK(step.frame.idle == 0);
+            is_mixed = is_mixed || std::ranges::any_of(step.frame.items, [](const DrawItem& item) {
+                           return item.alpha > 0.4 && item.alpha < 0.6;
+                       });
+        }
+        CHECK(is_mixed);
+        for (const SlotShot& standing : house.wall.standing())
+            CHECK((standing.key.path == "!NOW fire.jpg") == is_notice);
+        CHECK(house.playing.size() < 14);
+        CHECK(std::ranges::all_of(step.frame.items, [](const DrawItem& item) { return item.alpha == 1; }));
+    }
 }
 
 TEST_CASE("another screen begins anew and leaves no source behind") {
