@@ -149,14 +149,25 @@ void LiftedShots::show(const LiftedMoment& seen, std::span<const PlacedShot> wal
     filler_light_ = {.from = seen.filler_light, .to = seen.filler_light};
 }
 
+/// Draws the idle picture, as hands have all shots and no cells cover the places that they leave. These fade.
+void LiftedShots::draw_bare(Frame& frame, double dims) const {
+    frame.idle = 1;
+    for (DrawItem& item : frame.items) {
+        const double seat = find(item.source)->seat.at(frame.time);
+        if (seat < 1) item.alpha = std::max(item.alpha, seat * (1 - dims));
+    }
+}
+
 void LiftedShots::draw(Frame& frame) const {
     std::stable_partition(frame.items.begin(), frame.items.end(),
                           [](const DrawItem& item) { return item.alpha >= 1; });
     double dims = 0;
     for (const auto& [source, lifted] : all_)
         dims = std::max(dims, lifted.picture.pose(frame.time).dims);
+    bool is_bare = !frame.items.empty();
     for (DrawItem& item : frame.items) {
         const Lifted* lifted = find(item.source);
+        is_bare = is_bare && lifted != nullptr && item.alpha < 1;
         item.filler_light = filler_light_.at(frame.time);
         if (lifted == nullptr)
             item.alpha *= 1 - dims;
@@ -165,6 +176,7 @@ void LiftedShots::draw(Frame& frame) const {
         else
             item.alpha = std::min(1 - dims, 1 - (1 - waiting_light) * absence(*lifted, frame.time));
     }
+    if (is_bare) draw_bare(frame, dims);
     for (const State state : {State::beckoning, State::returning, State::let_go, State::gone, State::large,
                               State::held, State::whole})
         for (const auto& [source, lifted] : all_)

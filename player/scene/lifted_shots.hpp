@@ -114,10 +114,12 @@ class LiftedShots {
     void show(const LiftedMoment& seen, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
 
     /// Draws the shots above the wall in a frame, and dims what waits. Cells of the wall that lie above the
-    /// others come after them.
+    /// others come after them. Where all shots are in hands, the idle picture is behind them.
     void draw(Frame& frame) const;
 
   private:
+    void draw_bare(Frame& frame, double dims) const;
+
     std::map<SourceId, Lifted> all_;
     Fading filler_light_{.from = usual_filler_light, .to = usual_filler_light};
 };

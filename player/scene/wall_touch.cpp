@@ -1,6 +1,7 @@
 #include "player/scene/wall_touch.hpp"
 
 #include "base/hints/notice.hpp"
+#include "player/scene/crossfade.hpp"
 #include "player/scene/photo_drift.hpp"
 #include "player/scene/wall_cells.hpp"
 
@@ -324,7 +325,7 @@ void WallTouch::way_taken(const WallWay& way, const TouchedWall& wall) {
         const auto before = above_.find(source);
         const bool was_held = before != above_.end() && before->second == std::chrono::nanoseconds::max();
         if (lifted != nullptr && is_above && !was_held)
-            lifted->seat = {.from = 1, .to = 0, .began = now_, .duration = drag_time};
+            lifted->seat = {.from = max_blended, .to = 0, .began = now_, .duration = drag_time};
         above_.erase(source);
         if (is_above)
             above_[source] = std::chrono::nanoseconds::max();

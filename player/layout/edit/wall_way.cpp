@@ -280,7 +280,7 @@ class WayKeys {
                     .alphas = std::vector<double>(end_.size(), 1)};
         for (std::size_t i = 0; i < end_.size(); ++i)
             is_in[i] = is_shot_[i] && !is_in_hand_[i];
-        if (std::ranges::find(is_in, true) == is_in.end() || is_in == is_shot_) return key;
+        if (is_in == is_shot_) return key;
         const Cells below = cells_of(end_, is_in);
         for (std::size_t i = 0; i < end_.size(); ++i) {
             if (is_in[i]) key.cells[i] = below[i];

@@ -174,6 +174,41 @@ TEST_CASE("a shot that is flicked out is offered in its place for a moment; a ta
     }
 }
 
+TEST_CASE("behind the only shot of a wall, or all of two, the idle picture stands while hands have them") {
+    for (const int count : {1, 2}) {
+        CAPTURE(count);
+        TouchedHouse house(count);
+        std::vector<Vec2> from;
+        for (int k = 0; k < count; ++k)
+            house.put(Kind::down, k, from.emplace_back(centre_of(house.wall[static_cast<std::size_t>(k)])));
+        double last = 1;  // opacity of the wall below
+        int risen = 0, bare = 0;
+        const auto look = [&] {
+            const Frame frame = house.frame();
+            double below = 0;
+            for (int k = 0; k < count; ++k)
+                below = std::max(below, frame.items[static_cast<std::size_t>(k)].alpha);
+            CHECK((below >= 1 || frame.idle == 1));
+            CHECK(std::abs(below - last) < 0.35);
+            if (below > last + 1e-9) ++risen;
+            if (below < 1e-9) ++bare;
+            last = below;
+        };
+        for (int step = 1; step <= 40; ++step) {
+            for (int k = 0; k < count; ++k)
+                house.put(Kind::move, k, from[static_cast<std::size_t>(k)] + Vec2{4.0 * step, 0});
+            look();
+        }
+        CHECK(risen == 0);
+        CHECK(bare > 20);
+        for (int k = 0; k < count; ++k)
+            house.put(Kind::up, k);
+        for (int step = 0; step < 80; ++step)
+            look();
+        CHECK(last == 1);
+    }
+}
+
 TEST_CASE("a notice is not flicked out: it returns to its place") {
     TouchedHouse house;
     house.wall[4].shot.key.path = "!NOW 5min fire/a.jpg";
