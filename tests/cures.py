@@ -244,6 +244,8 @@ CURES = [
     Cure("a wall that flickers behind the only shot, in a hand", "player/layout/edit/wall_way.cpp",
          "        if (is_in == is_shot_) return key;\n",
          "        if (std::ranges::find(is_in, true) == is_in.end() || is_in == is_shot_) return key;\n", "scene_test.wall_touch_test"),
+    Cure("a shot that is large after its tapestry", "player/stage/gesture_dispatch.cpp",
+         "    if (opening == Opening::opened)\n", "    if (false)\n", "stage_test.tapestry_playback_test"),
     Cure("two taps that open no tapestry", "player/stage/gesture_dispatch.cpp",
          "    open_wanted(now);\n", "    (void)&GestureDispatch::open_wanted;\n", "stage_test.tapestry_playback_test"),
     Cure("a Live Photo whose film other boxes do not play", "player/scene/acts/act_of_wall.cpp",

@@ -65,7 +65,7 @@ bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     const RecordList::Record film = files_.all().find(shot->key.path);
     if (!film) return false;
     const auto number = static_cast<std::size_t>(shot->key.shot);
-    const Opening opening = shows_.open_tapestry(film, number);
+    const Opening opening = open(film, number);
     if (opening == Opening::later) wish_ = Wish{.film = film, .shot = number, .since = {}};
     return opening != Opening::never;
 }
@@ -75,7 +75,16 @@ void GestureDispatch::open_wanted(std::chrono::nanoseconds now) {
     if (!wish_) return;
     if (!wish_->since) wish_->since = now;
     const bool is_over = now - *wish_->since > wish_time || shows_.tapestry() != nullptr;
-    if (is_over || shows_.open_tapestry(wish_->film, wish_->shot) != Opening::later) wish_.reset();
+    if (is_over || open(wish_->film, wish_->shot) != Opening::later) wish_.reset();
+}
+
+/// Opens a tapestry. A key lets the shot that the first tap made large return, so that the wall is as it was
+/// before once the tapestry is closed.
+Opening GestureDispatch::open(const RecordList::Record& film, std::size_t shot) {
+    const Opening opening = shows_.open_tapestry(film, shot);
+    if (opening == Opening::opened)
+        shows_.wall().handle_gesture({.kind = Gesture::Kind::key, .key = Key::select});
+    return opening;
 }
 
 bool GestureDispatch::give_to_wall(const Gesture& gesture) {

@@ -33,6 +33,7 @@ class GestureDispatch {
     bool open_tapestry(const Gesture& gesture);
     bool give_to_wall(const Gesture& gesture);
     void open_wanted(std::chrono::nanoseconds now);
+    Opening open(const RecordList::Record& film, std::size_t shot);
 
     /// A film whose tapestry a visitor wants.
     struct Wish {

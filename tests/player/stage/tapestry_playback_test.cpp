@@ -381,6 +381,9 @@ TEST_CASE("the second of two taps opens a tapestry while the wall still answers 
     }
     theatre.play(1500ms);
     CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
+    theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
+    theatre.play(3s);
+    CHECK(theatre.stage->frame().items.size() == 1);  // no shot is large above the wall
 }
 
 TEST_CASE("a tapestry that nobody touches gives way to the wall") {
