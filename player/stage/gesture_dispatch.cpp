@@ -78,8 +78,8 @@ void GestureDispatch::open_wanted(std::chrono::nanoseconds now) {
     if (is_over || open(wish_->film, wish_->shot) != Opening::later) wish_.reset();
 }
 
-/// Opens a tapestry. A key lets the shot that the first tap made large return, so that the wall is as it was
-/// before once the tapestry is closed.
+/// Opens a tapestry. A key lets a shot return that one of the taps has made large, so that none is large
+/// above the wall once the tapestry is closed.
 Opening GestureDispatch::open(const RecordList::Record& film, std::size_t shot) {
     const Opening opening = shows_.open_tapestry(film, shot);
     if (opening == Opening::opened)

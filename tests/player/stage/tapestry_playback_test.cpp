@@ -381,9 +381,24 @@ TEST_CASE("the second of two taps opens a tapestry while the wall still answers 
     }
     theatre.play(1500ms);
     CHECK(is_near(theatre.picture(), 160, 140, colours[0]));
+}
+
+TEST_CASE(
+    "two taps on a film that is as large as the screen open its tapestry; it is large no more after it") {
+    Theatre theatre({}, {"a.png", "b.png", "c.png"});
+    theatre.play(3s);
+    const Vec2 at = bounding_box(theatre.stage->frame().items[1].cell->parts[0]).centre();
+    theatre.tap(at);
+    theatre.play(2s);
+    CHECK(theatre.stage->frame().items.size() == 4);  // one is large above the wall
+    theatre.tap(at);  // lets it return; the second tap makes it large once more
+    theatre.play(200ms);
+    theatre.tap(at);
+    theatre.play(2s);
+    REQUIRE(is_near(theatre.picture(), 160, 140, colours[0]));
     theatre.stage->handle_input(KeyPress{.key = Key::back, .time = theatre.now});
     theatre.play(3s);
-    CHECK(theatre.stage->frame().items.size() == 1);  // no shot is large above the wall
+    CHECK(theatre.stage->frame().items.size() == 3);
 }
 
 TEST_CASE("a tapestry that nobody touches gives way to the wall") {
