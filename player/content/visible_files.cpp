@@ -60,7 +60,7 @@ std::string reasons_in(const std::map<Visibility, std::size_t>& counts, std::siz
     return reasons;
 }
 
-/// The last filters: a file that could be shown if there were no notices.
+/// Judges a file by the notices, too, if no other filter keeps it off the wall.
 FileVisibility judge_by(const Notices& notices, FileVisibility judged) {
     if (!may_be_shown(judged.visibility)) return judged;
     if (notices.is_over(judged.path)) {

@@ -15,8 +15,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double whole_share = 0.004;  // share of the canvas; a smaller leftover goes to one taker as a whole
-constexpr double needle_length = 32;   // canvas px; a smaller leftover that is longer than this,
-constexpr double needle_width = 16;    // canvas px, and narrower than this goes to the takers along it
+constexpr double needle_length = 32;   // canvas px; a small leftover that is longer, and on average narrower
+constexpr double needle_width = 16;    // than these px, goes to the takers along it
 constexpr double needle_step = 8;      // canvas px between the places where its takers are compared
 constexpr int border_halvings = 12;    // of a step: the border between two takers is exact to 1/500 px
 
