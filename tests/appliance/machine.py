@@ -22,7 +22,7 @@ PATIENCE = int(os.environ.get("VITRINE_RIG_PATIENCE", 480))
 MAX_PATIENCE = max(2400, PATIENCE)  # s with it
 WIDTH, HEIGHT = 640, 360  # px of the first panel
 JOURNAL_PORT = "vitrine.journal"  # what the guest writes there comes to the file Machine.journal
-# Who ends without Machine.stop() leaves no child behind.
+# A child ends with the process that started it, also where Machine.stop() is not called.
 SERVING = ("setpriv", "--pdeathsig", "KILL", "nice", "-n", "5")
 CONSOLE = "org.qemu.Display1.Console"
 
