@@ -28,7 +28,7 @@ void PanningWall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
     canvas_ = canvas;
     shots_.set_screen(canvas);
-    if (leaving_) leaving_->fading = std::chrono::nanoseconds::min() / 2;  // it is over
+    if (leaving_) leaving_->fading = now_ - fade_time;  // it has faded out
     touch_.put_all_down();
     motion_.stop();
     view_ = 0;

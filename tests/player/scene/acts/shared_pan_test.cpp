@@ -122,6 +122,25 @@ TEST_CASE("a finger moves a panning wall on all boxes, and they go on together")
     CHECK(follower.gaps == 0);
 }
 
+TEST_CASE("a notice takes the place of a panning wall on all boxes, and the wall comes back after it") {
+    const SharedHouse::Options options = panning(8);
+    SharedHouse house(options);
+    house.run(20s);
+    for (const bool is_notice : {true, false}) {
+        house.boxes[0].show->set_catalogue(is_notice ? std::vector<MediaRecord>{photo("!NOW fire.jpg")}
+                                                     : options.records);
+        house.run(3s);
+        for (const TestBox& box : house.boxes) {
+            REQUIRE_FALSE(box.last.items.empty());
+            for (const DrawItem& item : box.last.items)
+                CHECK((box.playing.at(item.source).path == "!NOW fire.jpg") == is_notice);
+            CHECK(box.gaps == 0);
+        }
+        CHECK(house.boxes[0].frames.back().content == house.boxes[1].frames.back().content);
+    }
+    CHECK(house.faults == 0);
+}
+
 TEST_CASE("a panning wall stands on all boxes while a visitor looks at a shot") {
     SharedHouse house(panning(6));
     house.run(20s);

@@ -193,6 +193,21 @@ TEST_CASE("a notice takes the place of all at once, fading, and what was there c
     }
 }
 
+TEST_CASE("another screen while a notice comes begins anew and leaves no source behind") {
+    House house;
+    house.wall.set_catalogue(photos(12));
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    house.wall.set_catalogue(std::vector<MediaRecord>{photo("!NOW fire.jpg")});
+    house.step();
+    house.wall.set_canvas({360, 640});
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    CHECK(house.playing.size() <= 4);
+    for (const SlotShot& standing : house.wall.standing())
+        CHECK(standing.key.path == "!NOW fire.jpg");
+}
+
 TEST_CASE("another screen begins anew and leaves no source behind") {
     House house;
     house.wall.set_catalogue(photos(12));
