@@ -149,7 +149,8 @@ void LiftedShots::show(const LiftedMoment& seen, std::span<const PlacedShot> wal
     filler_light_ = {.from = seen.filler_light, .to = seen.filler_light};
 }
 
-/// Draws the idle picture, as hands have all shots and no cells cover the places that they leave. These fade.
+/// Draws the idle picture: hands have all shots, so no cell covers the places that they leave. These places
+/// fade out.
 void LiftedShots::draw_bare(Frame& frame, double dims) const {
     frame.idle = 1;
     for (DrawItem& item : frame.items) {

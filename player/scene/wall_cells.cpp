@@ -54,15 +54,18 @@ double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas) {
     return 1 + (filler - regions) / (canvas.x * canvas.y);
 }
 
-std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other) {
-    const double scale = std::min(other.x / canvas.x, other.y / canvas.y);
-    const Vec2 offset = (other - canvas * scale) * 0.5;
+std::vector<PlacedShot> transformed(std::vector<PlacedShot> wall, double scale, Vec2 offset) {
     for (PlacedShot& placed : wall) {
         placed.placement = {placed.placement.scale * scale, placed.placement.offset * scale + offset};
         placed.drift = {placed.drift.from * scale, placed.drift.to * scale};
         placed.cell = std::make_shared<const Cell>(scaled_cell(*placed.cell, scale, offset));
     }
     return wall;
+}
+
+std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other) {
+    const double scale = std::min(other.x / canvas.x, other.y / canvas.y);
+    return transformed(std::move(wall), scale, (other - canvas * scale) * 0.5);
 }
 
 Box bounds_of(const Cell& cell) {

@@ -15,6 +15,9 @@ void give_cells(std::vector<PlacedShot>& wall, Vec2 canvas, const CellStyle& sty
 /// @pre each shot has a cell
 double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
 
+/// The same shots and cells in another size and place. @param offset  canvas px, after scaling
+std::vector<PlacedShot> transformed(std::vector<PlacedShot> wall, double scale, Vec2 offset);
+
 /// The same wall on another canvas: as large as it fits, in the middle.
 std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other);
 

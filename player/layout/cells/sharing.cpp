@@ -15,8 +15,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr double whole_share = 0.004;  // share of the canvas; a smaller leftover goes to one taker as a whole
-constexpr double needle_length = 32;   // canvas px; a small leftover that is longer, and on average narrower
-constexpr double needle_width = 16;    // than these px, goes to the takers along it
+constexpr double needle_length = 32;   // canvas px: a small leftover that is longer is a needle
+constexpr double needle_width = 16;    // canvas px: if it is narrower on the average, too
 constexpr double needle_step = 8;      // canvas px between the places where its takers are compared
 constexpr int border_halvings = 12;    // of a step: the border between two takers is exact to 1/500 px
 
@@ -31,20 +31,21 @@ void append(Loops& to, const Loops& more) {
     to.insert(to.end(), more.begin(), more.end());
 }
 
-Box bounds_of(const Loops& loops) {
+std::vector<Vec2> corners_of(const Loops& loops) {
     std::vector<Vec2> corners;
     for (const Loop& loop : loops)
         for (const CellPoint& p : loop)
             corners.push_back(from_grid(p));
-    return bounding_box(corners);
+    return corners;
+}
+
+Box bounds_of(const Loops& loops) {
+    return bounding_box(corners_of(loops));
 }
 
 /// The corners that lie farthest apart along an axis, the lesser one first.
 std::pair<Vec2, Vec2> ends_of(const Loops& loops, double Vec2::*along) {
-    std::vector<Vec2> corners;
-    for (const Loop& loop : loops)
-        for (const CellPoint& p : loop)
-            corners.push_back(from_grid(p));
+    const std::vector<Vec2> corners = corners_of(loops);
     const auto [first, last] = std::ranges::minmax_element(corners, {}, along);
     return {*first, *last};
 }
@@ -113,16 +114,14 @@ class LeftoverSharing {
 
     void give(const Leftover& leftover, std::vector<Loops>& shown) {
         const std::set<std::size_t> takers = likely_takers(leftover, regions_);
+        if (takers.size() == 1) return append(shown[*takers.begin()], leftover.area);
         const double area = area_of(leftover.area);
-        if (takers.size() == 1 || area < whole_share * canvas_.area()) {
+        if (area < whole_share * canvas_.area()) {
             const Box bounds = bounds_of(leftover.area);
             const double length = std::max(bounds.width(), bounds.height());
-            const bool is_needle = length > needle_length && area < needle_width * length;
-            if (is_needle && takers.size() > 1)
-                give_along(leftover.area, takers, shown);
-            else
-                append(shown[nearest(bounds.centre(), takers)], leftover.area);
-            return;
+            if (length > needle_length && area < needle_width * length)
+                return give_along(leftover.area, takers, shown);
+            return append(shown[nearest(bounds.centre(), takers)], leftover.area);
         }
         const std::vector<Loops>& diagram = diagram_of(takers);
         Loops rest = leftover.area;
@@ -134,8 +133,8 @@ class LeftoverSharing {
     }
 
   private:
-    /// Cuts a long narrow leftover across, where another taker becomes the nearest. One taker alone would lie
-    /// along the others as a needle.
+    /// Cuts a needle across, where another taker becomes the nearest. Given to one taker as a whole, it would
+    /// lie along the others.
     void give_along(Loops rest, const std::set<std::size_t>& takers, std::vector<Loops>& shown) const {
         const Box bounds = bounds_of(rest);
         const auto along = bounds.width() >= bounds.height() ? &Vec2::x : &Vec2::y;

@@ -36,7 +36,7 @@ const ActJson& array_in(const ActJson& json, const char* key, std::size_t most);
 /// A number whose magnitude is at most `most`.
 double number_in(const ActJson& value, double most = max_act_length);
 
-/// @param name  of the value, for the fault
+/// A whole number within bounds. @param name  the value's name in the fault
 std::int64_t whole_of(const ActJson& value, const char* name, std::int64_t least, std::int64_t most);
 
 std::int64_t whole_in(const ActJson& json, const char* key, std::int64_t least, std::int64_t most);

@@ -1,20 +1,15 @@
 #include "player/scene/pan/panning_wall.hpp"
 
-#include "player/layout/cells/cut_cell.hpp"
 #include "player/scene/crossfade.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace vitrine::player {
 
 namespace {
 
 constexpr auto fade_time = std::chrono::milliseconds(800);
-
-double seconds(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
 
 }  // namespace
 
@@ -120,14 +115,15 @@ void PanningWall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
     step.requests = touch_.take_needs().requests;
 }
 
-/// Shows what leaves in place of what comes, and fades from one to the other once that is ready.
+/// Shows the shots that leave until those that come are ready, then fades from one to the other.
 void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
     const std::vector<PlacedShot> coming = is_waiting_ ? std::vector<PlacedShot>{} : shots_.seen(view_);
     if (!coming.empty() && !leaving_->fading && pace_.is_free(now)) {
         leaving_->fading = now;
         pace_.note_change(now);
     }
-    const double progress = leaving_->fading ? seconds(now - *leaving_->fading) / seconds(fade_time) : 0;
+    const double progress =
+        leaving_->fading ? std::chrono::duration<double>(now - *leaving_->fading) / fade_time : 0;
     if (progress >= 1) {
         leaving_->shots.set_screen(canvas_);
         leaving_->shots.ask_and_retire(0, false, step);
@@ -136,11 +132,7 @@ void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
     }
     const Vec2 view{view_ - shots_.origin(), 0};
     const Vec2 by = view - Vec2{leaving_->view - leaving_->shots.origin(), 0};
-    std::vector<PlacedShot> old = leaving_->shots.seen(leaving_->view);
-    for (PlacedShot& placed : old) {
-        placed.placement.offset = placed.placement.offset + by;
-        placed.cell = std::make_shared<const Cell>(scaled_cell(*placed.cell, 1, by));
-    }
+    const std::vector<PlacedShot> old = transformed(leaving_->shots.seen(leaving_->view), 1, by);
     step.frame = crossfade(canvas_, old, coming, progress, now);
     step.frame.view = view;
 }

@@ -35,7 +35,7 @@ struct PanParts {
 /// view waits for sources that are late.
 ///
 /// A finger drags and flings the view, up to a screen's width back. It stands still while a shot is enlarged.
-/// Where no file in view may be shown any more, as a notice covers it, the wall fades to what may.
+/// Where no file in view may be shown any more, as a notice covers it, the wall fades to shots that may.
 class PanningWall final : public Show {
   public:
     PanningWall(const Canvas& canvas, const PanSettings& settings);
@@ -73,11 +73,11 @@ class PanningWall final : public Show {
     void begin_anew();
     void draw_leaving(std::chrono::nanoseconds now, WallStep& step);
 
-    /// What was in view, until the fade to what comes is over.
+    /// The shots that were in view. They are drawn until the fade to the shots that come is over.
     struct Leaving {
         RibbonShots shots;
         double view = 0;                                 // ribbon px of these shots
-        std::optional<std::chrono::nanoseconds> fading;  // since then; none: what comes is not ready
+        std::optional<std::chrono::nanoseconds> fading;  // its begin; none: the shots that come are not ready
     };
 
     Canvas canvas_;

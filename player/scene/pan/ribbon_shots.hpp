@@ -44,7 +44,7 @@ class RibbonShots {
     /// True if there are files, and none of the shots in view is of one of them.
     bool is_outdated(double view) const;
 
-    /// Begins anew, with the shots that come next. @return  all that was laid out, with its sources
+    /// Begins anew with the next shots. @return  all that was laid out; it keeps its sources
     RibbonShots leave();
 
     /// The plan of more shots, if the view comes near the end. None: there are enough, or no files.

@@ -4,8 +4,8 @@
 
 namespace vitrine::player {
 
-/// All that a cell may show of an item: its core, canvas px. A side that is less than a pixel from the
-/// canvas' edge counts as on it, as the outermost pixels are repeated there.
+/// The part of the canvas in which a cell may show an item: the item's core. A side that is less than a pixel
+/// from the canvas' edge counts as on it, as the outermost pixels are repeated there.
 inline Box shown_frame(const LayoutItem& item, const Placement& at, Vec2 canvas) {
     Box frame = placed_core(item, at);
     if (frame.min.x > 0 && frame.min.x < 1) frame.min.x = 0;

@@ -679,7 +679,7 @@ struct TwoBoxes {
     std::chrono::nanoseconds ahead = 5s;  // of the clock of the one that follows
     TapestryStep led{}, followed{};
 
-    /// @param edited  where touches change the keyframes
+    /// @param edited  the keyframes that touches change; none: touches change none
     explicit TwoBoxes(std::chrono::nanoseconds stored_from = 0s,
                       const std::optional<KeyframeChoice>& edited = {})
         : leads{.strip{drawn_tapestry(),
