@@ -31,10 +31,12 @@ void PanningWall::set_canvas(const Canvas& canvas) {
 
 void PanningWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     shots_.set_files(records, hints);
-    if (shots_.is_outdated(view_)) begin_anew();
+    leave_outdated();
 }
 
-void PanningWall::begin_anew() {
+/// Begins anew if no file in view may be shown any more, but not during such a fade.
+void PanningWall::leave_outdated() {
+    if (!shots_.is_outdated(view_) || (leaving_ && leaving_->fading)) return;
     if (leaving_)
         shots_.set_screen(canvas_);
     else
@@ -128,7 +130,7 @@ void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
         leaving_->shots.set_screen(canvas_);
         leaving_->shots.ask_and_retire(0, false, step);
         leaving_.reset();
-        return;
+        return leave_outdated();
     }
     const Vec2 view{view_ - shots_.origin(), 0};
     const Vec2 by = view - Vec2{leaving_->view - leaving_->shots.origin(), 0};

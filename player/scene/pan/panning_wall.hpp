@@ -70,7 +70,7 @@ class PanningWall final : public Show {
     void follow_touch(std::chrono::nanoseconds now, WallStep& step);
     void advance(std::chrono::nanoseconds now);
     PanCourse course() const;
-    void begin_anew();
+    void leave_outdated();
     void draw_leaving(std::chrono::nanoseconds now, WallStep& step);
 
     /// The shots that were in view. They are drawn until the fade to the shots that come is over.

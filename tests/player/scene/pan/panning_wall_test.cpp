@@ -193,6 +193,32 @@ TEST_CASE("a notice takes the place of all at once, fading, and what was there c
     }
 }
 
+TEST_CASE("a notice that is taken away while it fades in leaves no moment without a picture") {
+    House house;
+    house.wall.set_catalogue(photos(12));
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    house.wall.set_catalogue(std::vector<MediaRecord>{photo("!NOW fire.jpg")});
+    const auto is_fading = [](const WallStep& step) {
+        return std::ranges::any_of(step.frame.items, [](const DrawItem& item) { return item.alpha < 1; });
+    };
+    int waited = 0;
+    while (!is_fading(house.step()) && waited < 60)
+        ++waited;
+    REQUIRE(waited < 60);
+    house.wall.set_catalogue(photos(12));
+    house.readies = false;
+    for (int k = 0; k < 30; ++k)
+        CHECK(house.step().frame.idle == 0);
+    house.readies = true;
+    for (const SourceId source : house.playing)
+        house.wall.source_ready(source);
+    for (int k = 0; k < 60; ++k)
+        CHECK(house.step().frame.idle == 0);
+    for (const SlotShot& standing : house.wall.standing())
+        CHECK(standing.key.path != "!NOW fire.jpg");
+}
+
 TEST_CASE("another screen while a notice comes begins anew and leaves no source behind") {
     House house;
     house.wall.set_catalogue(photos(12));
