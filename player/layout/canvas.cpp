@@ -43,6 +43,13 @@ void add_between(const std::vector<Box>& outputs, double left, double right, con
     }
 }
 
+/// True if two outputs overlap, or touch along more than a pixel of their edges.
+bool do_touch(const Box& a, const Box& b) {
+    constexpr Vec2 half{min_band / 2, min_band / 2};
+    const Box shared = intersection({a.min - half, a.max + half}, {b.min - half, b.max + half});
+    return !shared.is_empty() && std::max(shared.width(), shared.height()) > 1;
+}
+
 double distance_to_box(const Box& box, Vec2 point) {
     return length(Vec2{std::max({box.min.x - point.x, 0.0, point.x - box.max.x}),
                        std::max({box.min.y - point.y, 0.0, point.y - box.max.y})});
@@ -81,6 +88,24 @@ Canvas canvas_of(Vec2 size, std::vector<Box> outputs) {
         if (std::ranges::none_of(all, [&](const Box& other) { return is_inside(box, other); }))
             canvas.bands.push_back(box);
     return canvas;
+}
+
+std::size_t count_surfaces(const Canvas& canvas) {
+    std::vector<Box> apart = canvas.outputs;  // those of surfaces that are not counted yet
+    std::size_t count = 0;
+    for (std::vector<Box> surface; !apart.empty(); ++count) {
+        surface.assign(1, apart.back());
+        apart.pop_back();
+        while (!surface.empty()) {
+            const Box output = surface.back();
+            surface.pop_back();
+            const auto touching = std::stable_partition(
+                apart.begin(), apart.end(), [&](const Box& other) { return !do_touch(output, other); });
+            surface.insert(surface.end(), touching, apart.end());
+            apart.erase(touching, apart.end());
+        }
+    }
+    return std::max<std::size_t>(1, count);
 }
 
 Canvas canvas_within(const Canvas& canvas, const Box& box) {

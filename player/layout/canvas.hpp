@@ -3,6 +3,7 @@
 #include "base/geometry/box.hpp"
 #include "base/geometry/vec2.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace vitrine::player {
@@ -47,6 +48,9 @@ struct Canvas {
 /// outputs touch.
 /// @param outputs  at most some dozen boxes inside the canvas, px
 Canvas canvas_of(Vec2 size, std::vector<Box> outputs);
+
+/// The number of surfaces on a canvas: outputs that touch along an edge are one. At least 1.
+std::size_t count_surfaces(const Canvas& canvas);
 
 /// The part of a canvas in a box as a canvas of its own.
 Canvas canvas_within(const Canvas& canvas, const Box& box);

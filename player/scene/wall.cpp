@@ -124,12 +124,11 @@ void tell_appeared(const WallChange& change, WallEntries& slots) {
         if (placed.began != never) slots.shot_appeared(placed.shot.source, placed.began);
 }
 
-void give_up_pending(const WallChange& change, WallSources& sources, WallEntries& slots,
+/// Calls source_failed() of the wall for all sources of a change that are neither ready nor failed.
+void give_up_pending(const WallChange& change, const WallSources& sources, Wall& wall,
                      std::chrono::nanoseconds now) {
-    for (const SourceId source : sources.pending(change.wall)) {
-        sources.set_failed(source);
-        slots.source_failed(source, now);
-    }
+    for (const SourceId source : sources.pending(change.wall))
+        wall.source_failed(source, now);
 }
 
 /// The time after which late sources are given up. It is longer as long as nothing at all can be shown: a
@@ -160,6 +159,7 @@ Wall::Wall(const Canvas& canvas, const WallSettings& settings)
     : settings_(with_numbers(settings)),
       canvas_(canvas),
       slots_(settings_.slots, settings.nests),
+      copies_(settings_.slots.numbers),
       touch_({.edits = settings.touch,
               .cells = settings.transition.cells,
               .idle = settings.idle,
@@ -183,17 +183,17 @@ void Wall::set_canvas(const Canvas& canvas) {
 }
 
 void Wall::set_catalogue(const RecordList& records, const ShowHints& hints) {
-    const std::vector<WallShot> before = slots_.shots();
+    const std::size_t displays = count_surfaces(canvas_);
+    const std::vector<WallShot> before = copies_.with_copies(slots_.shots(), displays);
     slots_.set_catalogue(records, hints);
-    const std::vector<WallShot> known = slots_.shots();
+    const std::vector<WallShot> known = copies_.with_copies(slots_.shots(), displays);
     if (!std::ranges::equal(known, before, {}, &WallShot::source, &WallShot::source))
         touch_.handle_gesture({.kind = Gesture::Kind::key, .key = Key::back}, {});
-    std::vector<ShotRequest> changed = update_stored(shown_, known);
-    restored_.insert(restored_.end(), changed.begin(), changed.end());
+    sources_.request_again(update_stored(shown_, known));
     if (!change_) return;
-    changed = update_stored(change_->wall, known);
+    const std::vector<ShotRequest> changed = update_stored(change_->wall, known);
     const bool is_asked = change_->phase == Phase::waiting || change_->is_fading();
-    if (is_asked) restored_.insert(restored_.end(), changed.begin(), changed.end());
+    if (is_asked) sources_.request_again(changed);
 }
 
 void Wall::handle_gesture(const Gesture& gesture) {
@@ -227,7 +227,7 @@ void Wall::set_layout(const Layout& layout) {
 void Wall::source_failed(SourceId source, std::chrono::nanoseconds now) {
     sources_.set_failed(source);
     touched_film_.source_failed(source);
-    slots_.source_failed(source, now);
+    slots_.source_failed(copies_.original_of(source), now);
 }
 
 void Wall::set_controls(const ShowControls& controls) {
@@ -251,7 +251,7 @@ std::vector<SlotShot> Wall::standing() const {
 }
 
 WallStep Wall::step(std::chrono::nanoseconds now) {
-    WallStep step{.requests = std::exchange(restored_, {})};
+    WallStep step{.requests = sources_.take_requests()};
     if (change_ && change_->is_fading()) end_change(now);
     const bool is_touched = touch_.is_active() || is_held_;
     if (is_touched && change_ && !change_->is_fading() && !change_->is_by_touch && !shown_.empty())
@@ -279,8 +279,9 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
         step.frame.captions = is_in_change(*this)
                                   ? kept_caption_rooms(shown_, change_->wall, shown_canvas_.bands)
                                   : caption_rooms(shown_, shown_canvas_.bands);
-    step.retired = sources_.retire_all_but(
-        sources_of({shown_, change_ ? change_->wall : shown_, touched_film_.shots()}, slots_.shots()));
+    step.retired =
+        sources_.retire_all_but(sources_of({shown_, change_ ? change_->wall : shown_, touched_film_.shots()},
+                                           copies_.with_copies(slots_.shots(), count_surfaces(canvas_))));
     return step;
 }
 
@@ -289,7 +290,7 @@ void Wall::end_change(std::chrono::nanoseconds now) {
     if (change_->phase == Phase::arriving) {
         show_arrived(*change_, sources_, slots_, now);
         if (now - *change_->waiting_since >= settings_.patience)
-            give_up_pending(*change_, sources_, slots_, now);
+            give_up_pending(*change_, sources_, *this, now);
     }
     const auto arrival =
         settings_.comes_at_once ? std::chrono::nanoseconds(0) : settings_.transition.duration;
@@ -307,7 +308,7 @@ void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
     if (touch_.advance(now, wall, pace_.is_free(now))) pace_.note_change(now);
     TouchNeeds needs = touch_.take_needs();
     for (const SourceId source : needs.dismissed)
-        slots_.dismiss_shot(source, now);
+        slots_.dismiss_shot(copies_.original_of(source), now);
     if (needs.is_whole_over) touched_film_.end(now);
     if (needs.whole && needs.whole->shot.film) {
         touched_film_.begin(*needs.whole, ++*settings_.slots.numbers, now);
@@ -337,7 +338,7 @@ void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
 /// Starts a change if the slots hold other shots than those on the wall or on their way to it.
 /// @return the plan of the new wall; none: nothing changes, or there is nothing to show
 std::optional<WallPlan> Wall::follow_slots() {
-    const std::vector<WallShot> wanted = slots_.shots();
+    const std::vector<WallShot> wanted = copies_.with_copies(slots_.shots(), count_surfaces(canvas_));
     if (is_same(change_ ? change_->wall : shown_, wanted) && !must_plan_) return std::nullopt;
     must_plan_ = false;
     if (!change_ && wanted.empty() && shown_.empty()) return std::nullopt;
@@ -364,7 +365,7 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
         shown_.empty() && !settings_.is_calm && !settings_.comes_at_once && settings_.lead.count() == 0;
     if (!is_ready(*change_, sources_, can_arrive_singly)) {
         if (now - *change_->waiting_since >= patience_for(*change_, shown_, sources_, settings_.patience))
-            give_up_pending(*change_, sources_, slots_, now);
+            give_up_pending(*change_, sources_, *this, now);
         return;
     }
     TransitionStyle style = settings_.transition;

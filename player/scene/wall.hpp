@@ -1,6 +1,7 @@
 #pragma once
 
 #include "player/scene/change_pace.hpp"
+#include "player/scene/repeated_shots.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/touched_film.hpp"
 #include "player/scene/wall_change.hpp"
@@ -49,6 +50,8 @@ struct WallParts {
 /// more. There is one change at a time (WallChange). If the slots change again before its fade has started,
 /// the change is replaced. The first wall waits for its first source only; its shots fade in over the idle
 /// picture, each when it is ready.
+///
+/// A canvas of more displays than shots has copies of shots, so that each display shows one.
 ///
 /// Two changes never begin so soon after one another that bright and dark pictures would flash. On a calm
 /// wall nothing moves and changes begin at least calm_spacing apart; its first wall comes as a whole.
@@ -117,6 +120,7 @@ class Wall final : public Show {
     WallSettings settings_;
     Canvas canvas_;
     WallEntries slots_;
+    RepeatedShots copies_;
     WallTouch touch_;
     TouchedFilm touched_film_;
     WallSources sources_;
@@ -128,7 +132,6 @@ class Wall final : public Show {
     double usual_waste_ = 1;  // waste of the last new layout, as a share of the canvas
     std::uint64_t generation_ = 0;
     ChangePace pace_;
-    std::vector<ShotRequest> restored_;  // requests for shots that are in the store since the last step
 };
 
 /// True while a change of the wall is seen.

@@ -136,8 +136,15 @@ void begin_transition(WallChange& change, std::span<const PlacedShot> shown, con
 }
 
 void let_arrive(WallChange& change, const WallSources& sources, nanoseconds now) {
-    for (PlacedShot& placed : change.wall)
-        if (placed.began == never && sources.is_ready(placed)) placed.began = now;
+    const auto is_awaited = [&](const PlacedShot& placed) {
+        return placed.began == never && !sources.is_ready(placed) && !sources.has_failed(placed);
+    };
+    for (PlacedShot& placed : change.wall) {
+        const bool lacks_copy = std::ranges::any_of(change.wall, [&](const PlacedShot& other) {
+            return other.shot.key == placed.shot.key && is_awaited(other);
+        });
+        if (placed.began == never && sources.is_ready(placed) && !lacks_copy) placed.began = now;
+    }
 }
 
 bool has_ended(const WallChange& change, const WallSources& sources, nanoseconds arrival, nanoseconds now) {

@@ -84,7 +84,7 @@ void begin_way(WallChange& change, std::span<const PlacedShot> shown, bool drift
 void begin_transition(WallChange& change, std::span<const PlacedShot> shown, const TransitionStyle& style,
                       std::chrono::nanoseconds now);
 
-/// arriving: shows the shots whose sources are ready.
+/// arriving: shows the shots whose sources are ready; copies of one shot together.
 void let_arrive(WallChange& change, const WallSources& sources, std::chrono::nanoseconds now);
 
 /// fading, arriving: true once the new wall is complete. A failed shot does not arrive.

@@ -1,5 +1,7 @@
 #include "player/scene/wall_sources.hpp"
 
+#include <utility>
+
 namespace vitrine::player {
 
 std::vector<ShotRequest> WallSources::request(std::span<const PlacedShot> wall) {
@@ -9,6 +11,14 @@ std::vector<ShotRequest> WallSources::request(std::span<const PlacedShot> wall) 
         states_.try_emplace(placed.shot.source, State::pending);
     }
     return requests;
+}
+
+void WallSources::request_again(std::span<const ShotRequest> requests) {
+    again_.insert(again_.end(), requests.begin(), requests.end());
+}
+
+std::vector<ShotRequest> WallSources::take_requests() {
+    return std::exchange(again_, {});
 }
 
 void WallSources::set_ready(SourceId source) {

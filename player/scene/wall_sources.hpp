@@ -15,6 +15,12 @@ class WallSources {
     /// Requests the sources of these shots, each in its present size.
     std::vector<ShotRequest> request(std::span<const PlacedShot> wall);
 
+    /// Requests playing shots once more, as their place in the store has changed.
+    void request_again(std::span<const ShotRequest> requests);
+
+    /// The requests of request_again() since the last call.
+    std::vector<ShotRequest> take_requests();
+
     void set_ready(SourceId source);
     void set_failed(SourceId source);
 
@@ -36,6 +42,7 @@ class WallSources {
     void set_state(SourceId source, State state);
 
     std::map<SourceId, State> states_;
+    std::vector<ShotRequest> again_;
 };
 
 }  // namespace vitrine::player

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <utility>
 
 namespace vitrine::player {
 
@@ -19,6 +20,13 @@ constexpr std::array heights{0.045, 0.04, 0.035, 0.03,
                              0.026};   // of a line, as shares of the canvas' shorter side
 constexpr double letter_width = 0.55;  // mean, as a share of a line's height
 constexpr double least_letters = 3;    // a shorter name has this width
+
+/// A folder's path and slot. A folder that is repeated has several slots.
+using PlacedFolder = std::pair<std::string, int>;
+
+PlacedFolder folder_of(const PlacedShot& placed) {
+    return {placed.shot.folder, placed.shot.slot};
+}
 
 /// The number of a field.
 std::size_t field_at(int x, int y) {
@@ -50,12 +58,12 @@ std::vector<int> seen_fields(std::span<const PlacedShot> wall, Vec2 field) {
 /// For each field the number of a folder's fields above and to the left of it.
 class FreeFields {
   public:
-    FreeFields(std::span<const PlacedShot> wall, const std::string& folder, std::span<const int> seen)
+    FreeFields(std::span<const PlacedShot> wall, const PlacedFolder& folder, std::span<const int> seen)
         : sums_(std::size_t{columns + 1} * (rows + 1), 0) {
         for (int y = 0; y < rows; ++y)
             for (int x = 0; x < columns; ++x) {
                 const int shot = seen[field_at(x, y)];
-                const bool is_free = shot >= 0 && wall[static_cast<std::size_t>(shot)].shot.folder == folder;
+                const bool is_free = shot >= 0 && folder_of(wall[static_cast<std::size_t>(shot)]) == folder;
                 at(x + 1, y + 1) = at(x, y + 1) + at(x + 1, y) - at(x, y) + (is_free ? 1 : 0);
             }
     }
@@ -108,13 +116,13 @@ double aspect_of(const std::string& text) {
 
 std::vector<FrameName> folder_names(std::span<const PlacedShot> wall, Vec2 canvas, const Box& taken) {
     std::vector<FrameName> names;
-    std::set<std::string> folders;
+    std::set<PlacedFolder> folders;
     for (const PlacedShot& placed : wall)
-        if (!placed.shot.folder.empty()) folders.insert(placed.shot.folder);
+        if (!placed.shot.folder.empty()) folders.insert(folder_of(placed));
     if (folders.empty()) return names;
     const std::vector<int> seen = seen_fields(wall, {canvas.x / columns, canvas.y / rows});
-    for (const std::string& folder : folders) {
-        const std::string text = shown_folder_name(folder);
+    for (const PlacedFolder& folder : folders) {
+        const std::string text = shown_folder_name(folder.first);
         if (text.empty()) continue;
         FreeFields free(wall, folder, seen);
         if (const auto box = text_box(free, wall, canvas, aspect_of(text), taken))

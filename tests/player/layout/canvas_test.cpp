@@ -40,6 +40,17 @@ TEST_CASE("what no output shows beside a smaller one is a band, too") {
         }
 }
 
+TEST_CASE("outputs that touch along an edge are one surface") {
+    CHECK(count_surfaces({100, 50}) == 1);
+    CHECK(count_surfaces(canvas_of({210, 50}, {{{0, 0}, {100, 50}}, {{110, 0}, {210, 50}}})) == 2);
+    CHECK(count_surfaces(canvas_of({200.3, 50}, {{{0, 0}, {100, 50}}, {{100.3, 0}, {200.3, 50}}})) == 1);
+    const Box right{{100, 0}, {200, 100}};
+    const Box below{{0, 100}, {100, 200}};
+    CHECK(count_surfaces(canvas_of({200, 200}, {right, below})) == 2);  // only their corners touch
+    CHECK(count_surfaces(canvas_of({200, 200}, {right, below, {{0, 0}, {100, 100}}})) == 1);
+    CHECK(count_surfaces(canvas_of({320, 200}, {right, below, {{210, 0}, {320, 200}}})) == 3);
+}
+
 TEST_CASE("a part of a canvas has its parts of outputs and bands") {
     const Canvas canvas = canvas_of({210, 50}, {{{0, 0}, {100, 50}}, {{110, 0}, {210, 50}}});
     const Canvas part = canvas_within(canvas, {{90, 10}, {120, 40}});

@@ -314,6 +314,46 @@ TEST_CASE("the newcomer is given the seat of the shot before it: the middle and 
     CHECK(newcomer.seat->area == doctest::Approx(160 * 120 * 0.25));
 }
 
+TEST_CASE("on a canvas of more displays than files each display shows one, until further files come") {
+    const Canvas canvas = canvas_of({1280, 720}, {{{0, 0}, {630, 720}}, {{650, 0}, {1280, 720}}});
+    House house{.wall = Wall(canvas, {.slots = {.count = 3, .order = ShotOrder::name}})};
+    house.wall.set_catalogue(std::vector{photo("a")});
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "a"});
+    CHECK(house.playing.size() == 2);
+    house.wall.set_catalogue(std::vector{photo("a"), photo("b")});
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "b"});
+    REQUIRE(house.planned.back().items[1].seat);  // the place of the copy
+    CHECK(house.planned.back().items[1].seat->centre == Vec2{320 * 0.5 + 100, 180 * 0.5});
+    house.wall.set_catalogue(std::vector{photo("b")});
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"b", "b"});
+    house.wall.set_canvas({630, 720});  // a display is gone
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"b"});
+    CHECK(house.playing.size() == 1);
+}
+
+TEST_CASE("a film on two displays is in step, and fails as one") {
+    const Canvas canvas = canvas_of({1280, 720}, {{{0, 0}, {630, 720}}, {{650, 0}, {1280, 720}}});
+    House house{.wall = Wall(canvas, {.slots = {.count = 1, .order = ShotOrder::name}})};
+    house.wall.set_catalogue(std::vector{film("a", 1), film("b", 1)});
+    house.readies = false;
+    house.run(1s);
+    REQUIRE(house.playing.size() == 2);
+    house.wall.source_ready(house.playing.begin()->first);
+    CHECK(house.run(1s).frame.items.empty());
+    house.wall.source_ready(house.playing.rbegin()->first);
+    const WallStep step = house.run(1s);
+    REQUIRE(step.frame.items.size() == 2);
+    CHECK(step.frame.items[0].local == step.frame.items[1].local);
+    house.readies = true;
+    house.wall.source_failed(house.playing.rbegin()->first, house.now);  // the copy's
+    house.run(2s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"b", "b"});
+}
+
 TEST_CASE("a deleted file leaves with the next transition, the last one to the idle picture") {
     House house = ::house({photo("a"), photo("b")});
     house.run(2s);

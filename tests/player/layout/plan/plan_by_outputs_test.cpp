@@ -29,6 +29,28 @@ TEST_CASE("outputs planned by themselves share the items out by area") {
     CHECK(on_first <= 4);
 }
 
+TEST_CASE("as many copies of a picture as outputs: one on each") {
+    const Canvas grid = canvas_of(
+        {1320, 760},
+        {{{0, 0}, {640, 360}}, {{680, 0}, {1320, 360}}, {{0, 400}, {640, 760}}, {{680, 400}, {1320, 760}}});
+    const std::vector<LayoutItem> items = real_items();
+    for (const Canvas& canvas : {two_outputs({640, 360}, 40), grid})
+        for (std::size_t picture = 0; picture < items.size(); ++picture) {
+            PlanRequest request{.canvas = canvas, .seed = picture + 1, .max_scale = 4};
+            for (std::size_t k = 0; k < canvas.outputs.size(); ++k)
+                request.items.push_back({.item = items[picture]});
+            const Layout layout = plan(request);
+            std::set<std::size_t> used;
+            for (const Placement& at : layout.placements) {
+                const Box shown = output_of(canvas, bounding_box(placed_region(items[picture], at)));
+                used.insert(static_cast<std::size_t>(std::ranges::find(canvas.outputs, shown) -
+                                                     canvas.outputs.begin()));
+            }
+            CAPTURE(picture);
+            CHECK(used.size() == canvas.outputs.size());
+        }
+}
+
 TEST_CASE("an output is planned once for the same items, however they came to it") {
     const PlanRequest request = random_request_on(two_outputs({640, 360}, 40), 5, 2);
     std::multiset<std::vector<double>> planned;
