@@ -31,6 +31,9 @@ std::vector<WallShot> RepeatedShots::with_copies(std::vector<WallShot> shots, st
         }
         ++free;
     }
+    std::erase_if(shots, [&](const WallShot& shot) {
+        return hidden_.contains(shot.source) && is_seen_elsewhere(shot.source);
+    });
     return shots;
 }
 
@@ -38,6 +41,25 @@ SourceId RepeatedShots::original_of(SourceId source) const {
     const auto found =
         std::ranges::find_if(sources_, [&](const auto& copy) { return copy.second == source; });
     return found == sources_.end() ? source : found->first.first;
+}
+
+/// True if another copy of the same shot is not hidden.
+bool RepeatedShots::is_seen_elsewhere(SourceId source) const {
+    const SourceId original = original_of(source);
+    if (original != source && !hidden_.contains(original)) return true;
+    return std::ranges::any_of(sources_, [&](const auto& copy) {
+        return copy.first.first == original && copy.second != source && !hidden_.contains(copy.second);
+    });
+}
+
+bool RepeatedShots::hide(SourceId source, std::chrono::nanoseconds until) {
+    if (!is_seen_elsewhere(source)) return false;
+    hidden_[source] = until;
+    return true;
+}
+
+void RepeatedShots::advance(std::chrono::nanoseconds now) {
+    std::erase_if(hidden_, [&](const auto& hidden) { return hidden.second <= now; });
 }
 
 }  // namespace vitrine::player

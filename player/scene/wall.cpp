@@ -258,7 +258,10 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
         change_.reset();  // the change is planned once nobody touches the wall
     follow_touch(now, step);
     const bool is_left_alone = !is_touched && !(change_ && change_->is_by_touch);
-    if (!change_ && is_left_alone) slots_.advance(now);
+    if (!change_ && is_left_alone) {
+        slots_.advance(now);
+        copies_.advance(now);
+    }
     if (!(change_ && change_->is_fading()) && is_left_alone) step.plan = follow_slots();
     if (change_ && change_->way && !change_->is_fading())
         begin_way(*change_, shown_, settings_.photos_drift && change_->drifts_after,
@@ -308,7 +311,8 @@ void Wall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
     if (touch_.advance(now, wall, pace_.is_free(now))) pace_.note_change(now);
     TouchNeeds needs = touch_.take_needs();
     for (const SourceId source : needs.dismissed)
-        slots_.dismiss_shot(copies_.original_of(source), now);
+        if (!copies_.hide(source, now + settings_.slots.retry_after))
+            slots_.dismiss_shot(copies_.original_of(source), now);
     if (needs.is_whole_over) touched_film_.end(now);
     if (needs.whole && needs.whole->shot.film) {
         touched_film_.begin(*needs.whole, ++*settings_.slots.numbers, now);

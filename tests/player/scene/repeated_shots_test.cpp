@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -10,6 +11,7 @@
 
 using namespace vitrine;
 using namespace vitrine::player;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -70,6 +72,20 @@ TEST_CASE("a shot that comes takes the place of a copy, and the other copies kee
     CHECK(after[2].source == before[1].source);
     CHECK(after[1].slot == before[1].slot);
     CHECK(repeated.original_of(before[2].source) == before[2].source);  // it is over
+}
+
+TEST_CASE("a copy is hidden for a while, as long as another one is seen") {
+    RepeatedShots repeated = repeated_from(1);
+    const std::vector<WallShot> one{shot_in(0, 1, "a")};
+    const std::vector<WallShot> shots = repeated.with_copies(one, 2);
+    CHECK(repeated.hide(1, 60s));
+    CHECK(repeated.with_copies(one, 2) == std::vector{shots[1]});
+    CHECK_FALSE(repeated.hide(shots[1].source, 61s));
+    CHECK(repeated.with_copies(one, 1) == one);  // the other display is gone
+    CHECK(repeated.with_copies(one, 2).size() == 1);
+    repeated.advance(60s);
+    CHECK(repeated.with_copies(one, 2).size() == 2);
+    CHECK_FALSE(repeated_from(1).hide(1, 60s));
 }
 
 TEST_CASE("the shots of a folder are repeated together and count as one") {

@@ -335,6 +335,28 @@ TEST_CASE("on a canvas of more displays than files each display shows one, until
     CHECK(house.playing.size() == 1);
 }
 
+TEST_CASE("a picture that stands on two displays and is flicked from one stays on the other") {
+    const Canvas canvas = canvas_of({1280, 720}, {{{0, 0}, {630, 720}}, {{650, 0}, {1280, 720}}});
+    House house{.wall = Wall(canvas, {.slots = {.count = 1, .order = ShotOrder::name}})};
+    house.wall.set_catalogue(std::vector{photo("a")});
+    house.run(2s);
+    REQUIRE(house.wall.shown().size() == 2);
+    const SourceId first = house.wall.shown()[0].shot.source;
+    const SourceId second = house.wall.shown()[1].shot.source;
+    const Vec2 from{160, 90};
+    Gesture gesture{.kind = Gesture::Kind::drag, .touch = 1, .subject = first, .at = from, .from = from};
+    house.wall.handle_gesture(gesture);
+    house.run(100ms);
+    gesture.kind = Gesture::Kind::flick;
+    gesture.velocity = {-9000, 0};
+    house.wall.handle_gesture(gesture);
+    house.run(8s);  // after the time in which it may be had back
+    REQUIRE(house.wall.shown().size() == 1);
+    CHECK(house.wall.shown()[0].shot.source == second);
+    house.run(60s);
+    CHECK(shown_paths(house) == std::vector<std::string>{"a", "a"});
+}
+
 TEST_CASE("a film on two displays is in step, and fails as one") {
     const Canvas canvas = canvas_of({1280, 720}, {{{0, 0}, {630, 720}}, {{650, 0}, {1280, 720}}});
     House house{.wall = Wall(canvas, {.slots = {.count = 1, .order = ShotOrder::name}})};
