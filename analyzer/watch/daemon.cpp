@@ -169,6 +169,19 @@ bool is_refined(const std::optional<MediaRecord>& known, const FileFacts& facts)
            known->shots.size() == 1 && known->shots.front().certainty;
 }
 
+/// True for a notice's file that is read quickly. It is seen sooner if the first analysis makes no copy in
+/// the store, as the player plays it from the media folder meanwhile. A second one makes the copy, which the
+/// other boxes of a wall need.
+bool comes_before_copy(const WatchOptions& options, const std::string& path, std::uint64_t bytes) {
+    return options.outputs.stored && notice_named(path) && bytes <= options.pace.small_bytes;
+}
+
+/// True if the record is that of a whole file with this content.
+bool is_record_of(const std::optional<MediaRecord>& record, const FileFacts& facts) {
+    return record && record->state == MediaState::ready && record->is_complete &&
+           record->bytes == facts.bytes && record->mtime_ns == facts.mtime_ns;
+}
+
 /// The record of a file that brought its readers down: quarantined, or a film that is shown as far as it is
 /// known.
 /// @param known  the record in the catalogue
@@ -374,8 +387,8 @@ void Daemon::start_analysis(const Action& action) {
     if (!action.is_last_try && follower_.folder().ends_in_hole(action.path))
         return wait("the copy is not complete: parts of the file are still empty");
     AnalysisOutputs outputs = options_.outputs;
-    // A notice comes sooner without its copy: the player reads a photo where it is just as well.
-    if (notice_named(action.path) && action.facts.bytes <= options_.pace.small_bytes) outputs.stored = false;
+    if (comes_before_copy(options_, action.path, action.facts.bytes))
+        outputs.stored = is_record_of(book_.record(action.path), action.facts);
     outputs.sound = outputs.stored && hint_files_.hints_for(action.path).sound.value_or(false);
     outputs.accepts_cut = action.is_last_try;
     // The plain region for a while, in the place of the network's, would move the wall twice.
@@ -422,7 +435,11 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
     case Verdict::store:
         break;
     }
+    const bool lacks_copy =
+        comes_before_copy(options_, record.path, record.bytes) &&
+        !is_record_of(book_.record(record.path), {.bytes = record.bytes, .mtime_ns = record.mtime_ns});
     book_.store(record);
+    if (lacks_copy && record.state == MediaState::ready) schedule_.analyse_again(record.path);
     request_words(pictures_, options_, caption_keys(options_, record.path, hint_files_, book_.states()));
     if (book_.is_news(record)) log_record(record);
 }
