@@ -242,6 +242,8 @@ CURES = [
          "    const std::vector<WallShot> wanted = slots_.shots();\n", "scene_test.wall_test"),
     Cure("a picture that leaves all displays, as it is flicked from one", "player/scene/wall.cpp",
          "        if (!copies_.hide(", "        if (true || !copies_.hide(", "scene_test.wall_test"),
+    Cure("black beside a wall that waits for a new canvas", "player/layout/canvas.cpp",
+         "    if (!canvas.outputs.empty() && !other.outputs.empty())\n", "    if (false)\n", "scene_test.wall_test"),
     Cure("a notice that comes a minute late on a wall that pans", "player/scene/pan/panning_wall.cpp",
          "    shots_.set_files(records, hints);\n    leave_outdated();\n", "    shots_.set_files(records, hints);\n", "scene_test.panning_wall_test"),
     Cure("a moment without a picture, as a notice goes while it comes", "player/scene/pan/panning_wall.cpp",

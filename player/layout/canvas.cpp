@@ -108,6 +108,13 @@ std::size_t count_surfaces(const Canvas& canvas) {
     return std::max<std::size_t>(1, count);
 }
 
+Placement place_on(const Canvas& canvas, const Canvas& other) {
+    if (!canvas.outputs.empty() && !other.outputs.empty())
+        return {other.unit / canvas.unit, (canvas.origin - other.origin) * other.unit};
+    const double scale = std::min(other.x / canvas.x, other.y / canvas.y);
+    return {scale, (other - canvas * scale) * 0.5};
+}
+
 Canvas canvas_within(const Canvas& canvas, const Box& box) {
     Canvas part(box.max - box.min);
     const auto take = [&](const std::vector<Box>& from, std::vector<Box>& to) {

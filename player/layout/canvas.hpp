@@ -2,6 +2,7 @@
 
 #include "base/geometry/box.hpp"
 #include "base/geometry/vec2.hpp"
+#include "player/layout/layout.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -23,6 +24,8 @@ struct Canvas {
     std::vector<Box> bands;    // canvas px, all that is between and beside the outputs; they may overlap. No
                                // I-Region rests there
     double finger = usual_finger;  // px of 15 mm: the least side of what fingers shall hit
+    double unit = 1;               // px of a unit in which outputs are placed (output.canvas)
+    Vec2 origin;                   // units, the place of the top left corner
 
     Canvas() = default;
 
@@ -35,7 +38,7 @@ struct Canvas {
     // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a canvas is used as its size
     operator Vec2() const { return {x, y}; }
 
-    /// Compares what layouts depend on: all but `finger`.
+    /// Compares what layouts depend on: sizes and parts.
     bool operator==(const Canvas& other) const {
         return x == other.x && y == other.y && outputs == other.outputs && bands == other.bands;
     }
@@ -51,6 +54,10 @@ Canvas canvas_of(Vec2 size, std::vector<Box> outputs);
 
 /// The number of surfaces on a canvas: outputs that touch along an edge are one. At least 1.
 std::size_t count_surfaces(const Canvas& canvas);
+
+/// The place of one canvas on another. If both have outputs, each output stays where it is; else the canvas
+/// is as large as it fits, in the middle.
+Placement place_on(const Canvas& canvas, const Canvas& other);
 
 /// The part of a canvas in a box as a canvas of its own.
 Canvas canvas_within(const Canvas& canvas, const Box& box);

@@ -1,6 +1,7 @@
 #include "player/scene/crossfade.hpp"
 
 #include "player/scene/photo_drift.hpp"
+#include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -33,6 +34,16 @@ bool is_unchanged(const PlacedShot& placed, std::span<const PlacedShot> old_wall
     });
 }
 
+/// True if a wall leaves a border of its canvas free: it was laid out for a smaller one.
+bool leaves_border(std::span<const PlacedShot> wall, Vec2 canvas) {
+    Box all{canvas, {0, 0}};
+    for (const PlacedShot& placed : wall) {
+        const Box cell = bounds_of(*placed.cell);
+        if (!cell.is_empty()) all = united(all, cell);
+    }
+    return all.min.x > 1 || all.min.y > 1 || all.max.x < canvas.x - 1 || all.max.y < canvas.y - 1;
+}
+
 }  // namespace
 
 double eased(double progress) {
@@ -50,7 +61,7 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
     const double alpha = eased(progress);
     if (alpha >= 1 || alpha <= 0) {
         const auto wall = alpha >= 1 ? new_wall : old_wall;
-        frame.idle = wall.empty() ? 1 : 0;
+        frame.idle = leaves_border(wall, canvas) ? 1 : 0;
         draw(frame, wall, 1);
         return frame;
     }
@@ -60,6 +71,7 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
         draw(frame, new_wall, alpha);
         return frame;
     }
+    frame.idle = leaves_border(old_wall, canvas) ? 1 : 0;
     draw(frame, old_wall, 1);
     for (const PlacedShot& placed : new_wall) {
         if (!is_unchanged(placed, old_wall)) frame.items.push_back(drawn(placed, alpha, now));

@@ -386,10 +386,12 @@ void Wall::wait_for_sources(std::chrono::nanoseconds now) {
     if ((due && now < *due - style.duration - lead) || !may_begin(pace_, now)) return;
     const std::chrono::nanoseconds begin = now + lead;
     if (settings_.photos_drift) give_drifts(change_->wall, shown_, change_->canvas.bands);
-    if (is_other_canvas && !shown_.empty())
-        begin_transition(*change_, fitted(shown_, shown_canvas_, change_->canvas), style, begin);
-    else
+    if (is_other_canvas && !shown_.empty()) {
+        const auto [scale, offset] = place_on(shown_canvas_, change_->canvas);
+        begin_transition(*change_, transformed(shown_, scale, offset), style, begin);
+    } else {
         begin_transition(*change_, shown_, style, begin);
+    }
     if (change_->phase == Phase::arriving) {
         change_->waiting_since = begin;  // the others may come as late after the first
         return show_arrived(*change_, sources_, slots_, begin);

@@ -63,11 +63,6 @@ std::vector<PlacedShot> transformed(std::vector<PlacedShot> wall, double scale, 
     return wall;
 }
 
-std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other) {
-    const double scale = std::min(other.x / canvas.x, other.y / canvas.y);
-    return transformed(std::move(wall), scale, (other - canvas * scale) * 0.5);
-}
-
 Box bounds_of(const Cell& cell) {
     Box bounds;
     bool any = false;

@@ -18,9 +18,6 @@ double wasted_share(std::span<const PlacedShot> wall, Vec2 canvas);
 /// The same shots and cells in another size and place. @param offset  canvas px, after scaling
 std::vector<PlacedShot> transformed(std::vector<PlacedShot> wall, double scale, Vec2 offset);
 
-/// The same wall on another canvas: as large as it fits, in the middle.
-std::vector<PlacedShot> fitted(std::vector<PlacedShot> wall, Vec2 canvas, Vec2 other);
-
 /// The bounds of all that is drawn in a cell, canvas px.
 Box bounds_of(const Cell& cell);
 

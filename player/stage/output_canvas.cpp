@@ -83,8 +83,6 @@ SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput
         density = std::max(density, output.density);
     }
     density = std::min(density, max_side / std::max(all.width(), all.height()));
-    shared.unit = density;
-    shared.origin = all.min;
     std::vector<Box> boxes;
     for (const PlacedOutput& output : placed) {
         const Box box{near_whole((output.box.min - all.min) * density),
@@ -93,6 +91,8 @@ SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput
         shared.parts[output.name] = {.box = box, .rotation = output.rotation};
     }
     shared.canvas = canvas_of(near_whole((all.max - all.min) * density), std::move(boxes));
+    shared.canvas.unit = density;
+    shared.canvas.origin = all.min;
     return shared;
 }
 
@@ -201,8 +201,8 @@ GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {
                     .part = seen_part(view, canvas),
                     .canvas = canvas};
     if (now_.canvas == canvas && is_shared()) {
-        guide.unit = now_.unit;
-        guide.origin = now_.origin;
+        guide.unit = now_.canvas.unit;
+        guide.origin = now_.canvas.origin;
     }
     return guide;
 }

@@ -51,10 +51,11 @@ struct OutputPart {
 struct SharedCanvas {
     Canvas canvas;                            // px; empty: none of the outputs is named
     std::map<std::string, OutputPart> parts;  // by the outputs' names
-    double unit = 1;                          // canvas px a unit of the words
-    Vec2 origin;                              // units at the canvas' top left corner
 
-    bool operator==(const SharedCanvas&) const = default;
+    bool operator==(const SharedCanvas& other) const {
+        return canvas == other.canvas && canvas.unit == other.canvas.unit &&
+               canvas.origin == other.canvas.origin && parts == other.parts;
+    }
 };
 
 /// The canvas for some outputs. The one with most px on a unit of length has them on the canvas, too, unless

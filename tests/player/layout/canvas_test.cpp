@@ -51,6 +51,20 @@ TEST_CASE("outputs that touch along an edge are one surface") {
     CHECK(count_surfaces(canvas_of({320, 200}, {right, below, {{210, 0}, {320, 200}}})) == 3);
 }
 
+TEST_CASE("a canvas with outputs has its outputs where they are on another one, whatever its px") {
+    Canvas one = canvas_of({100, 50}, {{{0, 0}, {100, 50}}});
+    one.unit = 0.5;
+    one.origin = {220, 10};
+    Canvas both = canvas_of({420, 120}, {{{0, 20}, {200, 120}}, {{220, 0}, {420, 100}}});
+    both.unit = 1;
+    both.origin = {0, 10};
+    const Placement place = place_on(one, both);
+    CHECK(place.scale == 2);
+    CHECK(place.offset == Vec2{220, 0});
+    CHECK(place_on({100, 50}, {400, 100}).scale == 2);
+    CHECK(place_on({100, 50}, {400, 100}).offset == Vec2{100, 0});
+}
+
 TEST_CASE("a part of a canvas has its parts of outputs and bands") {
     const Canvas canvas = canvas_of({210, 50}, {{{0, 0}, {100, 50}}, {{110, 0}, {210, 50}}});
     const Canvas part = canvas_within(canvas, {{90, 10}, {120, 40}});

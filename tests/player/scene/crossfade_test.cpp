@@ -32,13 +32,13 @@ std::vector<SourceId> sources(const Frame& frame) {
 
 TEST_CASE("a wall that stands is drawn once and opaque, without the idle picture") {
     const std::vector<PlacedShot> wall{placed(1), placed(2)};
-    const Frame frame = crossfade({1280, 720}, wall, {}, 0, 3s);
+    const Frame frame = crossfade({20, 10}, wall, {}, 0, 3s);
     CHECK(sources(frame) == std::vector<SourceId>{1, 2});
     CHECK(frame.items[0].alpha == 1);
     CHECK(frame.items[1].alpha == 1);
     CHECK(frame.idle == 0);
     CHECK(frame.time == 3s);
-    CHECK(frame.canvas == Vec2{1280, 720});
+    CHECK(frame.canvas == Vec2{20, 10});
     CHECK(frame.items[0].placement == wall[0].placement);
     CHECK(frame.items[0].picture == Vec2{640, 360});
     CHECK(frame.items[0].cell == wall[0].cell);
@@ -59,14 +59,23 @@ TEST_CASE("nothing on the wall is the idle picture") {
 TEST_CASE("the new wall fades in over the old one, which is drawn whole") {
     const std::vector<PlacedShot> old_wall{placed(1), placed(2)};
     const std::vector<PlacedShot> new_wall{placed(3), placed(4)};
-    const Frame frame = crossfade({1280, 720}, old_wall, new_wall, 0.25, 0s);
+    const Frame frame = crossfade({20, 10}, old_wall, new_wall, 0.25, 0s);
     CHECK(sources(frame) == std::vector<SourceId>{1, 2, 3, 4});
     CHECK(frame.items[0].alpha == 1);
     CHECK(frame.items[1].alpha == 1);
     CHECK(frame.items[2].alpha == doctest::Approx(0.15625));  // 3/16 - 2/64
     CHECK(frame.items[3].alpha == frame.items[2].alpha);
     CHECK(frame.idle == 0);
-    CHECK(sources(crossfade({1280, 720}, old_wall, new_wall, 1, 0s)) == std::vector<SourceId>{3, 4});
+    CHECK(sources(crossfade({20, 10}, old_wall, new_wall, 1, 0s)) == std::vector<SourceId>{3, 4});
+}
+
+TEST_CASE("the idle picture is below a wall that was laid out for a smaller canvas") {
+    const std::vector<PlacedShot> old_wall{placed(1)};  // 10 x 10 px
+    const std::vector<PlacedShot> new_wall{placed(2)};
+    CHECK(standing_frame({10, 10}, old_wall, 0s).idle == 0);
+    CHECK(standing_frame({12, 10}, old_wall, 0s).idle == 1);
+    CHECK(crossfade({20, 10}, old_wall, new_wall, 0.25, 0s).idle == 1);
+    CHECK(crossfade({20, 10}, old_wall, new_wall, 1, 0s).idle == 0);
 }
 
 TEST_CASE("what stays as it is is drawn once during a transition, what moves twice") {

@@ -335,6 +335,27 @@ TEST_CASE("on a canvas of more displays than files each display shows one, until
     CHECK(house.playing.size() == 1);
 }
 
+TEST_CASE("a display that comes leaves the others as they are until the new wall fades in") {
+    Canvas right = canvas_of({640, 720}, {{{0, 0}, {640, 720}}});
+    right.origin = {700, 0};
+    const Canvas both = canvas_of({1340, 720}, {{{0, 0}, {640, 720}}, {{700, 0}, {1340, 720}}});
+    House house{.wall = Wall(right, {.slots = {.count = 2, .order = ShotOrder::name}})};
+    house.wall.set_catalogue(photos(2));
+    const Frame before = house.run(2s).frame;
+    house.wall.set_canvas(both);
+    WallStep step = house.step();
+    while (step.frame.canvas == Vec2(right))
+        step = house.step();
+    REQUIRE(step.frame.items.size() >= 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(step.frame.items[i].source == before.items[i].source);
+        CHECK(step.frame.items[i].placement.scale == before.items[i].placement.scale);
+        CHECK(step.frame.items[i].placement.offset == before.items[i].placement.offset + Vec2{700, 0});
+    }
+    CHECK(step.frame.idle == 1);  // on the display that has come
+    CHECK(house.run(2s).frame.idle == 0);
+}
+
 TEST_CASE("a picture that stands on two displays and is flicked from one stays on the other") {
     const Canvas canvas = canvas_of({1280, 720}, {{{0, 0}, {630, 720}}, {{650, 0}, {1280, 720}}});
     House house{.wall = Wall(canvas, {.slots = {.count = 1, .order = ShotOrder::name}})};
