@@ -10,6 +10,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto fade_time = std::chrono::milliseconds(800);
+constexpr auto patience = std::chrono::seconds(10);  // with sources of the first shots in view
 
 }  // namespace
 
@@ -21,9 +22,15 @@ PanningWall::PanningWall(const Canvas& canvas, const PanSettings& settings)
 
 void PanningWall::set_canvas(const Canvas& canvas) {
     if (canvas == canvas_) return;
+    const Placement place = place_on(canvas_, canvas);
+    if (!leaving_)
+        leaving_ = Leaving{.shots = shots_.leave(), .view = view_, .place = place, .waiting_since = now_};
+    else if (leaving_->fading)
+        leaving_->fading = now_ - fade_time;  // it has faded out
+    else
+        leaving_->place = composed(leaving_->place, place);
     canvas_ = canvas;
     shots_.set_screen(canvas);
-    if (leaving_) leaving_->fading = now_ - fade_time;  // it has faded out
     touch_.put_all_down();
     motion_.stop();
     view_ = 0;
@@ -40,7 +47,7 @@ void PanningWall::leave_outdated() {
     if (leaving_)
         shots_.set_screen(canvas_);
     else
-        leaving_ = Leaving{.shots = shots_.leave(), .view = view_, .fading = {}};
+        leaving_ = Leaving{.shots = shots_.leave(), .view = view_, .waiting_since = now_};
     touch_.put_all_down();
     motion_.stop();
     view_ = 0;
@@ -119,7 +126,10 @@ void PanningWall::follow_touch(std::chrono::nanoseconds now, WallStep& step) {
 
 /// Shows the shots that leave until those that come are ready, then fades from one to the other.
 void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
-    const std::vector<PlacedShot> coming = is_waiting_ ? std::vector<PlacedShot>{} : shots_.seen(view_);
+    if (!is_waiting_) leaving_->waiting_since = now;
+    const bool is_late = now - leaving_->waiting_since >= patience;
+    const std::vector<PlacedShot> coming =
+        is_waiting_ && !is_late ? std::vector<PlacedShot>{} : shots_.seen(view_);
     if (!coming.empty() && !leaving_->fading && pace_.is_free(now)) {
         leaving_->fading = now;
         pace_.note_change(now);
@@ -127,14 +137,20 @@ void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
     const double progress =
         leaving_->fading ? std::chrono::duration<double>(now - *leaving_->fading) / fade_time : 0;
     if (progress >= 1) {
-        leaving_->shots.set_screen(canvas_);
-        leaving_->shots.ask_and_retire(0, false, step);
+        if (leaving_->shots) {
+            leaving_->shots->set_screen(canvas_);
+            leaving_->shots->ask_and_retire(0, false, step);
+        }
         leaving_.reset();
         return leave_outdated();
     }
     const Vec2 view{view_ - shots_.origin(), 0};
-    const Vec2 by = view - Vec2{leaving_->view - leaving_->shots.origin(), 0};
-    const std::vector<PlacedShot> old = transformed(leaving_->shots.seen(leaving_->view), 1, by);
+    std::vector<PlacedShot> old;
+    if (leaving_->shots) {
+        const Vec2 left{leaving_->view - leaving_->shots->origin(), 0};
+        const auto [scale, offset] = leaving_->place;
+        old = transformed(leaving_->shots->seen(leaving_->view), scale, view + offset - left * scale);
+    }
     step.frame = crossfade(canvas_, old, coming, progress, now);
     step.frame.view = view;
 }
@@ -147,6 +163,8 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     shots_.ask_and_retire(view_, motion_.may_go_back(now), step);
     step.frame = standing_frame(canvas_, shots_.seen(view_), now);
     step.frame.view = {view_ - shots_.origin(), 0};
+    if (is_waiting_) step.frame.idle = 1;
+    if (!leaving_ && shots_.seen(view_).empty()) leaving_ = Leaving{.waiting_since = now};
     if (leaving_) draw_leaving(now, step);
     touch_.lifted().draw(step.frame);
     return step;

@@ -36,6 +36,7 @@ struct PanParts {
 ///
 /// A finger drags and flings the view, up to a screen's width back. It stands still while a shot is enlarged.
 /// Where no file in view may be shown any more, as a notice covers it, the wall fades to shots that may.
+/// Where the canvas changes, it fades to the next shots. The first ones fade in over the idle picture.
 class PanningWall final : public Show {
   public:
     PanningWall(const Canvas& canvas, const PanSettings& settings);
@@ -75,9 +76,11 @@ class PanningWall final : public Show {
 
     /// The shots that were in view. They are drawn until the fade to the shots that come is over.
     struct Leaving {
-        RibbonShots shots;
-        double view = 0;                                 // ribbon px of these shots
-        std::optional<std::chrono::nanoseconds> fading;  // its begin; none: the shots that come are not ready
+        std::optional<RibbonShots> shots = {};      // none: there were no shots
+        double view = 0;                            // ribbon px of these shots
+        Placement place = {};                       // of the canvas as it was then, on that of today
+        std::chrono::nanoseconds waiting_since{0};  // for the shots that come
+        std::optional<std::chrono::nanoseconds> fading = {};  // its begin; none: it has not begun
     };
 
     Canvas canvas_;

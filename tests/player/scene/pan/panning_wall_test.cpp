@@ -1,6 +1,7 @@
 #include "player/scene/pan/panning_wall.hpp"
 
 #include "player/layout/plan/plan.hpp"
+#include "player/scene/wall_cells.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
 #include <doctest/doctest.h>
@@ -241,9 +242,69 @@ TEST_CASE("another screen begins anew and leaves no source behind") {
         house.step();
     house.wall.set_canvas({360, 640});
     for (int k = 0; k < 60; ++k)
-        house.step();
+        CHECK_FALSE(house.step().frame.items.empty());
     CHECK(house.wall.view() > 0);
     CHECK(house.playing.size() < 20);
+}
+
+TEST_CASE("a display that comes leaves a panning wall as it is until the new one fades in") {
+    House house;
+    Canvas right = canvas_of({640, 360}, {{{0, 0}, {640, 360}}});
+    right.origin = {700, 0};
+    house.wall.set_canvas(right);
+    house.wall.set_catalogue(photos(12));
+    WallStep before = house.step();
+    for (int k = 0; k < 60; ++k)
+        before = house.step();
+    house.readies = false;
+    house.wall.set_canvas(canvas_of({1340, 360}, {{{0, 0}, {640, 360}}, {{700, 0}, {1340, 360}}}));
+    for (int k = 0; k < 20; ++k) {
+        const Frame frame = house.step().frame;
+        REQUIRE(frame.items.size() == before.frame.items.size());
+        for (std::size_t i = 0; i < frame.items.size(); ++i) {
+            const Vec2 was = before.frame.items[i].placement.offset - before.frame.view;
+            CHECK(length(frame.items[i].placement.offset - frame.view - was - Vec2{700, 0}) < 1e-6);
+        }
+        CHECK(frame.idle == 1);  // on the display that has come
+    }
+    house.readies = true;
+    for (const SourceId source : house.playing)
+        house.wall.source_ready(source);
+    for (int k = 0; k < 40; ++k)
+        CHECK_FALSE(house.step().frame.items.empty());
+    CHECK(house.step().frame.idle == 0);
+}
+
+TEST_CASE(
+    "the first shots fade in over the idle picture, all at once, or those that there are after a while") {
+    for (const bool comes : {true, false}) {
+        House house;
+        house.readies = false;
+        house.wall.set_catalogue(photos(12));
+        for (int k = 0; k < 60; ++k)
+            CHECK(house.step().frame.idle == 1);
+        const std::vector<const PlacedShot*> coming = house.wall.parts().coming;
+        const auto in_view = std::ranges::find_if(
+            coming, [](const PlacedShot* shot) { return bounds_of(*shot->cell).min.x < 200; });
+        REQUIRE(in_view != coming.end());
+        const SourceId missing = comes ? 0 : (*in_view)->shot.source;
+        for (const SourceId source : house.playing)
+            if (source != missing) house.wall.source_ready(source);
+        bool is_mixed = false;
+        int waited = 0;
+        for (; waited < 300 && !is_mixed; ++waited) {
+            const WallStep step = house.step();
+            CHECK(step.frame.idle == 1);
+            is_mixed = std::ranges::any_of(
+                step.frame.items, [](const DrawItem& item) { return item.alpha > 0.4 && item.alpha < 0.6; });
+        }
+        CHECK(is_mixed);
+        CHECK((waited < 30) == comes);
+        house.readies = true;
+        for (int k = 0; k < 20; ++k)
+            house.step();
+        CHECK((house.step().frame.idle == 0) == comes);
+    }
 }
 
 TEST_CASE("a finger drags the view, and what has passed is where it was") {
