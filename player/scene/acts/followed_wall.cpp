@@ -29,15 +29,21 @@ void append(std::vector<ShotRequest>& all, std::vector<ShotRequest> more) {
 
 /// True if an act begins with the wall that another one shows now.
 bool is_next(const WallAct& act, const WallAct& shown, nanoseconds shared) {
+    if (act.pan || shown.pan) return false;
     if (act.name.run != shown.name.run || act.name.generation != shown.name.generation + 1) return false;
     const nanoseconds latest = leaders_time(act, shared) - begins_late;
     const bool has_way = act.folder && act.folder->began;
     return (!act.change || latest <= act.change->began) && (!has_way || latest <= *act.folder->began);
 }
 
-/// True if an act is of the same panning wall as another one: all goes on where it is.
+/// True if an act is of the same panning wall as another one: all goes on where it is. A wall that has begun
+/// anew, for a notice, has no shot of the other.
 bool is_further(const WallAct& act, const WallAct& shown) {
-    return shown.pan && act.pan && act.name.run == shown.name.run && act.canvas == shown.canvas;
+    const auto is_known = [&](const PlacedShot& placed) {
+        return find_source(shown.shown, placed.shot.source) != nullptr;
+    };
+    return shown.pan && act.pan && act.name.run == shown.name.run && act.canvas == shown.canvas &&
+           (act.shown.empty() || shown.shown.empty() || std::ranges::any_of(act.shown, is_known));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -129,7 +131,16 @@ TEST_CASE("a notice takes the place of a panning wall on all boxes, and the wall
     for (const bool is_notice : {true, false}) {
         house.boxes[0].show->set_catalogue(is_notice ? std::vector<MediaRecord>{photo("!NOW fire.jpg")}
                                                      : options.records);
-        house.run(3s);
+        std::set<std::string> mixed;  // the boxes that fade from one to the other
+        for (int k = 0; k < 60; ++k) {
+            house.run(50ms);
+            for (const TestBox& box : house.boxes)
+                if (std::ranges::any_of(box.last.items, [](const DrawItem& item) {
+                        return item.alpha > 0.3 && item.alpha < 0.7;
+                    }))
+                    mixed.insert(box.name);
+        }
+        CHECK(mixed.size() == house.boxes.size());
         for (const TestBox& box : house.boxes) {
             REQUIRE_FALSE(box.last.items.empty());
             for (const DrawItem& item : box.last.items)
