@@ -16,6 +16,9 @@ class AwaitedSources {
     /// Counts a preparation, for which the others are waited for. @return its number, from 1
     std::uint64_t prepare(std::chrono::nanoseconds now);
 
+    /// Counts a preparation that says more of the last one: the others are waited for as long as before.
+    std::uint64_t prepare_again() { return ++preparations_; }
+
     /// @param ready  the others have all preparations up to this number; none: nobody is waited for
     void set_ready(std::optional<std::uint64_t> ready) { ready_ = ready; }
 

@@ -11,7 +11,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr SourceId kept_digits = 1'000'000;  // photo_drift tells photos apart by these
-constexpr auto retry_pause = std::chrono::seconds(3);
+constexpr auto retry_pause = std::chrono::seconds(1);
 constexpr auto opening_time = std::chrono::milliseconds(500);  // a film plays by then
 
 template <typename Change> void change_shots(WallAct& act, const Change& change) {

@@ -10,7 +10,7 @@ namespace vitrine::player {
 void LedFolderWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     const Wall& seen = level(told_.seen).wall();
     const auto before = stored_files(seen.parts());
-    wall_.set_catalogue(records, hints);
+    LedShow::set_catalogue(records, hints);
     if (stored_files(seen.parts()) != before) want_act();
 }
 

@@ -1,8 +1,24 @@
 #include "player/scene/acts/led_show.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace vitrine::player {
+
+void LedShow::set_catalogue(const RecordList& records, const ShowHints& hints) {
+    ForwardingShow::set_catalogue(records, hints);
+    if (!awaited_.is_waiting(now_)) return;
+    std::vector<WallShot> known;
+    for (const PlacedShot& placed : prepared_.shown) {
+        const RecordList::Record record = records.find(placed.shot.key.path);
+        if (!record || placed.shot.key.shot >= static_cast<int>(record->shots.size())) continue;
+        known.push_back(placed.shot);
+        known.back().shot = shot_now(*record, placed.shot);
+    }
+    if (update_stored(prepared_.shown, known).empty()) return;
+    prepared_.name.generation = awaited_.prepare_again();
+    preparation_ = prepared_;
+}
 
 void LedShow::source_ready(SourceId source) {
     if (awaited_.is_waiting(now_))
@@ -42,8 +58,9 @@ void LedShow::set_parts(std::map<std::string, ActPart> parts) {
 }
 
 void LedShow::prepare(const std::vector<PlacedShot>& shots, const Canvas& canvas, const CellStyle& cells) {
-    preparation_ = WallAct{
+    prepared_ = WallAct{
         .name = {.generation = awaited_.prepare(now_)}, .canvas = canvas, .cells = cells, .shown = shots};
+    preparation_ = prepared_;
 }
 
 void LedShow::tell(WallAct act) {

@@ -38,6 +38,11 @@ class LedShow : public ForwardingShow {
   public:
     LedShow* led() override { return this; }
 
+    using Show::set_catalogue;
+
+    /// Tells a preparation again if the store has got one of its shots.
+    void set_catalogue(const RecordList& records, const ShowHints& hints) override;
+
     void source_ready(SourceId source) override;
     WallStep step(std::chrono::nanoseconds now) override;
 
@@ -84,7 +89,8 @@ class LedShow : public ForwardingShow {
     std::map<std::string, ActPart> parts_;
     std::chrono::nanoseconds now_{0};
     AwaitedSources awaited_;
-    std::optional<WallAct> preparation_;
+    WallAct prepared_;                    // the last preparation
+    std::optional<WallAct> preparation_;  // as long as it is news
     bool wants_act_ = false;
     std::uint64_t acts_ = 0;
     std::optional<WallAct> act_;

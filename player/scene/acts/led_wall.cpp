@@ -4,7 +4,7 @@ namespace vitrine::player {
 
 void LedWall::set_catalogue(const RecordList& records, const ShowHints& hints) {
     const auto before = stored_files(wall_.parts());
-    wall_.set_catalogue(records, hints);
+    LedShow::set_catalogue(records, hints);
     if (stored_files(wall_.parts()) != before) want_act();
 }
 

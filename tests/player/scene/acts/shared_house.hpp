@@ -76,6 +76,7 @@ struct TestBox {
     std::map<SourceId, Ns> ready_at = {};
     std::set<SourceId> ready = {};
     std::set<std::string> missing = {};  // files that do not come
+    std::set<std::string> awaited = {};  // files that come once they are in the store
     Ns slower{0};                        // by which it reads files more slowly
     std::map<SourceId, Ns> seen = {};    // how far each film was seen
     std::vector<ShownFrame> frames = {};
@@ -286,7 +287,10 @@ class SharedHouse {
         for (const auto& [source, at] : std::map(box.ready_at))
             if (at <= truth) {
                 box.ready_at.erase(source);
-                if (box.missing.contains(box.playing[source].path)) {
+                const ShotRequest& request = box.playing[source];
+                const bool is_stored = request.shot.stored.has_value();
+                if (box.missing.contains(request.path) ||
+                    (box.awaited.contains(request.path) && !is_stored)) {
                     box.show->source_failed(source, box.time->now());
                     continue;
                 }

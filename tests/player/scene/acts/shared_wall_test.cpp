@@ -216,6 +216,25 @@ TEST_CASE("an act that is too long for the others is not told, and the leader sa
     CHECK_FALSE(silent.boxes[1].frames.back().is_whole);
 }
 
+TEST_CASE("a notice that is in the store a moment after it was found comes to all boxes at once") {
+    SharedHouse house({});
+    house.run(5s);
+    MediaRecord notice = photo("!NOW fire.jpg");
+    for (std::size_t i = 1; i < house.boxes.size(); ++i)
+        house.boxes[i].awaited = {notice.path};
+    house.led().set_catalogue(RecordList({std::make_shared<const MediaRecord>(notice)}), {});
+    house.run(600ms);
+    notice.shots.front().stored =
+        StoredShot{.file = "0123456789abcdef/photo", .begin = 0s, .width = 640, .height = 360};
+    house.led().set_catalogue(RecordList({std::make_shared<const MediaRecord>(notice)}), {});
+    house.run(3500ms);
+    for (const TestBox& box : house.boxes) {
+        REQUIRE_FALSE(box.last.items.empty());
+        for (const DrawItem& item : box.last.items)
+            CHECK(box.playing.at(item.source).path == notice.path);
+    }
+}
+
 TEST_CASE("if the way of a change is too long to be told, the others fade to its end as it begins") {
     SharedHouse::Options options{.seed = 5, .followers = 1, .max_act_bytes = 3000};
     options.wall.slots.dwell = 6s;
