@@ -11,6 +11,8 @@ namespace vitrine::player {
 
 namespace {
 
+constexpr double last_part = 0.25;  // of a fade: in it goes what was there before
+
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
     return {.source = placed.shot.source,
             .cell = placed.cell,
@@ -91,14 +93,15 @@ Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::n
     return frame;
 }
 
-void fade_in(Frame& frame, std::span<const DrawItem> before, double progress) {
+void fade_in(Frame& frame, const LeavingFrame& before, double progress) {
     const double shown = eased(progress);
     for (DrawItem& item : frame.items)
         item.alpha *= shown;
-    frame.idle = 1;
-    std::vector<DrawItem> items(before.begin(), before.end());
+    frame.idle = std::max(before.idle, std::min(1.0, shown / (1 - last_part)));
+    std::vector<DrawItem> items = before.items;
+    const double left = (1 - shown) / last_part;
     for (DrawItem& item : items)
-        item.alpha = std::min(item.alpha * (1 - shown), max_blended);
+        if (left < 1) item.alpha = std::min(item.alpha * left, max_blended);
     items.insert(items.end(), frame.items.begin(), frame.items.end());
     frame.items = std::move(items);
 }

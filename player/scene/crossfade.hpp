@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <span>
+#include <vector>
 
 namespace vitrine::player {
 
@@ -34,9 +35,15 @@ Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<con
 Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds duration,
                    std::chrono::nanoseconds now);
 
-/// Fades a whole frame in over the idle picture, and fades out the items of the previous frame.
-/// @param before    items of the previous frame; none: only the idle picture was shown
+/// The frame that fades out while another one fades in.
+struct LeavingFrame {
+    std::vector<DrawItem> items = {};
+    double idle = 1;  // opacity of the idle picture below
+};
+
+/// Fades a whole frame in over the previous one. Its items stay until they are hardly seen any more, so that
+/// the idle picture does not shine through, and then fade out over it.
 /// @param progress  0: only the previous frame, 1: only the new one
-void fade_in(Frame& frame, std::span<const DrawItem> before, double progress);
+void fade_in(Frame& frame, const LeavingFrame& before, double progress);
 
 }  // namespace vitrine::player

@@ -4,7 +4,6 @@
 #include "base/system/log.hpp"
 #include "player/scene/acts/led_show.hpp"
 #include "player/scene/change_pace.hpp"
-#include "player/scene/crossfade.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stage_settings.hpp"
 
@@ -71,7 +70,7 @@ ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool await
 
 void ShowSwitch::set_canvas(const Canvas& canvas) {
     canvas_ = canvas;
-    left_.clear();
+    left_ = {};
     wall_->set_canvas(canvas);
     if (tapestry_) tapestry_->set_canvas(canvas);
 }
@@ -138,7 +137,7 @@ bool ShowSwitch::is_fading() const {
 }
 
 void ShowSwitch::fade(Frame& frame) {
-    shown_ = frame.items;
+    shown_ = {.items = frame.items, .idle = frame.idle};
     if (!is_fading()) return;
     const double progress = std::chrono::duration<double>(time_ - switched_) /
                             std::chrono::duration<double>(settings_.show.motion);
@@ -189,7 +188,7 @@ void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryP
 
 std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
     if (leaving_ && !is_fading()) {
-        left_.clear();
+        left_ = {};
         return std::exchange(leaving_, nullptr)->close();
     }
     if (!tapestry_ || !tapestry_->is_over() || !may_switch()) return {};
@@ -204,7 +203,7 @@ std::vector<SourceId> ShowSwitch::leave_finished_tapestry() {
 }
 
 void ShowSwitch::forget_uploads() {
-    left_.clear();
+    left_ = {};
     if (tapestry_) tapestry_->forget_uploads();
 }
 

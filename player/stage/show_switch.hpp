@@ -3,6 +3,7 @@
 #include "base/settings/settings.hpp"
 #include "player/playback/source_events.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/crossfade.hpp"
 #include "player/scene/show.hpp"
 #include "player/stage/stage_files.hpp"
 #include "player/stage/tapestry_playback.hpp"
@@ -100,8 +101,8 @@ class ShowSwitch {
     std::unique_ptr<Show> wall_;
     std::unique_ptr<TapestryPlayback> tapestry_;  // none: the wall is shown
     std::unique_ptr<TapestryPlayback> leaving_;   // the last tapestry, while it fades out
-    std::vector<DrawItem> shown_;                 // the last frame's items of the show that is on
-    std::vector<DrawItem> left_;                  // the last items of the show that fades out
+    LeavingFrame shown_;                          // the last frame of the show that is on
+    LeavingFrame left_;                           // the last frame of the show that fades out
     bool has_switched_ = false;                   // false: the first wall has not been replaced yet
     std::chrono::nanoseconds switched_{0};        // time of the last switch
     std::chrono::nanoseconds away_{0};            // total time in which tapestries were shown

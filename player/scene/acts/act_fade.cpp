@@ -1,7 +1,6 @@
 #include "player/scene/acts/act_fade.hpp"
 
 #include "player/layout/cells/cut_cell.hpp"
-#include "player/scene/crossfade.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -25,25 +24,25 @@ std::vector<DrawItem> moved_by(std::vector<DrawItem> items, Vec2 way) {
     return items;
 }
 
-/// Items of a frame some time later: their films play on, in step with the same films in another frame.
-std::vector<DrawItem> played_on(std::vector<DrawItem> items, const std::vector<DrawItem>& others,
-                                nanoseconds passed) {
-    for (DrawItem& item : items) {
+/// A frame some time later: its films play on, in step with the same films in another frame.
+LeavingFrame played_on(LeavingFrame frame, const std::vector<DrawItem>& others, nanoseconds passed) {
+    for (DrawItem& item : frame.items) {
         const auto same = std::ranges::find(others, item.source, &DrawItem::source);
         item.local = same != others.end() ? same->local : item.local + passed;
     }
-    return items;
+    return frame;
 }
 
 }  // namespace
 
 void ActFade::begin(Vec2 view, nanoseconds now) {
-    before_ = moved_by(std::exchange(last_, {}), view - std::exchange(last_view_, view));
+    before_ = std::exchange(last_, {});
+    before_.items = moved_by(std::move(before_.items), view - std::exchange(last_view_, view));
     since_ = now;
 }
 
 void ActFade::draw(Frame& frame, nanoseconds now) {
-    last_ = frame.items;
+    last_ = {.items = frame.items, .idle = frame.idle};
     last_view_ = frame.view;
     if (!since_) return;
     const double progress =
@@ -51,7 +50,7 @@ void ActFade::draw(Frame& frame, nanoseconds now) {
     if (progress < 1)
         fade_in(frame, played_on(before_, frame.items, now - *since_), progress);
     else
-        since_.reset(), before_.clear();
+        since_.reset(), before_ = {};
 }
 
 }  // namespace vitrine::player

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "player/scene/crossfade.hpp"
 #include "player/scene/frame.hpp"
 
 #include <chrono>
@@ -20,12 +21,12 @@ class ActFade {
     void draw(Frame& frame, std::chrono::nanoseconds now);
 
     /// The items that fade out.
-    const std::vector<DrawItem>& items() const { return before_; }
+    const std::vector<DrawItem>& items() const { return before_.items; }
 
   private:
-    std::vector<DrawItem> last_;                     // items of the last frame
+    LeavingFrame last_;                              // the last frame
     Vec2 last_view_;                                 // canvas point at its top left
-    std::vector<DrawItem> before_;                   // items of what fades out
+    LeavingFrame before_;                            // what fades out
     std::optional<std::chrono::nanoseconds> since_;  // none: nothing fades out
 };
 

@@ -134,14 +134,20 @@ TEST_CASE("a shot plays from the time on when it appeared") {
 
 TEST_CASE("a frame that fades in lets what was there before fade out") {
     Frame frame{.canvas = {1280, 720}, .items = {{.source = 1}}};
-    const std::vector<DrawItem> before{{.source = 2}};
+    const LeavingFrame before{.items = {{.source = 2}}, .idle = 0};
     Frame coming = frame;
     fade_in(coming, before, 0.25);
-    CHECK(coming.idle == 1);
+    CHECK(coming.idle == doctest::Approx(0.15625 / 0.75));  // what is dim shows it
     CHECK(sources(coming) == std::vector<SourceId>{2, 1});
-    CHECK(coming.items[0].alpha == doctest::Approx(0.84375));
+    CHECK(coming.items[0].alpha == 1);  // the idle picture does not shine through
     CHECK(coming.items[1].alpha == doctest::Approx(0.15625));
+    Frame later = frame;
+    fade_in(later, before, 0.9);
+    CHECK(later.idle == 1);
+    CHECK(later.items[0].alpha == doctest::Approx(0.112));
+    CHECK(later.items[1].alpha == doctest::Approx(0.972));
     fade_in(frame, {}, 0.25);
+    CHECK(frame.idle == 1);
     CHECK(sources(frame) == std::vector<SourceId>{1});
 }
 
