@@ -254,6 +254,8 @@ CURES = [
     Cure("a panning wall that other boxes cut away for a notice", "player/scene/acts/followed_wall.cpp",
          "std::ranges::any_of(act.shown, is_known))", "std::ranges::any_of(act.shown, is_known) || true)",
          "acts_test.shared_pan_test"),
+    Cure("a wall that pans over files that are gone", "player/scene/pan/ribbon_shots.cpp",
+         "    return is_any;\n", "    return is_any && has_files();\n", "scene_test.panning_wall_test"),
     Cure("black in a wall that begins to pan", "player/scene/pan/panning_wall.cpp",
          "    if (!leaving_ && shots_.seen(view_).empty()) leaving_ = Leaving{.waiting_since = now};\n", "",
          "scene_test.panning_wall_test"),

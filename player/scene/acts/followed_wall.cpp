@@ -43,7 +43,7 @@ bool is_further(const WallAct& act, const WallAct& shown) {
         return find_source(shown.shown, placed.shot.source) != nullptr;
     };
     return shown.pan && act.pan && act.name.run == shown.name.run && act.canvas == shown.canvas &&
-           (act.shown.empty() || shown.shown.empty() || std::ranges::any_of(act.shown, is_known));
+           (shown.shown.empty() || std::ranges::any_of(act.shown, is_known));
 }
 
 }  // namespace

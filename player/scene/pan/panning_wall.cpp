@@ -130,7 +130,8 @@ void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
     const bool is_late = now - leaving_->waiting_since >= patience;
     const std::vector<PlacedShot> coming =
         is_waiting_ && !is_late ? std::vector<PlacedShot>{} : shots_.seen(view_);
-    if (!coming.empty() && !leaving_->fading && pace_.is_free(now)) {
+    const bool goes = !coming.empty() || (leaving_->shots && !shots_.has_files());
+    if (goes && !leaving_->fading && pace_.is_free(now)) {
         leaving_->fading = now;
         pace_.note_change(now);
     }

@@ -58,7 +58,7 @@ bool RibbonShots::is_outdated(double view) const {
         if (coming_.has_file(shown.placed.shot.key.path)) return false;
         is_any = true;
     }
-    return is_any && has_files();
+    return is_any;
 }
 
 RibbonShots RibbonShots::leave() {

@@ -41,7 +41,7 @@ class RibbonShots {
 
     bool has_files() const { return !coming_.is_empty(); }
 
-    /// True if there are files, and none of the shots in view is of one of them.
+    /// True if there are shots in view, and none of them is of a file that may be shown.
     bool is_outdated(double view) const;
 
     /// Begins anew with the next shots. @return  all that was laid out; it keeps its sources

@@ -220,6 +220,31 @@ TEST_CASE("a notice that is taken away while it fades in leaves no moment withou
         CHECK(standing.key.path != "!NOW fire.jpg");
 }
 
+TEST_CASE(
+    "once all files are gone a panning wall fades to the idle picture, and to further files from there") {
+    House house;
+    house.wall.set_catalogue(photos(12));
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    house.wall.set_catalogue(std::vector<MediaRecord>{});
+    bool is_mixed = false;
+    for (int k = 0; k < 40; ++k) {
+        const std::vector<DrawItem> items = house.step().frame.items;
+        is_mixed = is_mixed || std::ranges::any_of(items, [](const DrawItem& item) {
+                       return item.alpha > 0.4 && item.alpha < 0.6;
+                   });
+    }
+    CHECK(is_mixed);
+    CHECK(house.step().frame.items.empty());
+    CHECK(house.step().frame.idle == 1);
+    CHECK(house.playing.empty());
+    house.wall.set_catalogue(photos(3));
+    for (int k = 0; k < 60; ++k)
+        house.step();
+    CHECK_FALSE(house.step().frame.items.empty());
+    CHECK(house.step().frame.idle == 0);
+}
+
 TEST_CASE("another screen while a notice comes begins anew and leaves no source behind") {
     House house;
     house.wall.set_catalogue(photos(12));
