@@ -136,10 +136,12 @@ bool Renderer::is_own_thread() const {
 }
 
 bool Renderer::leaves_holes(const Frame& frame) const {
-    return std::ranges::none_of(frame.items,
-                                [&](const DrawItem& i) { return is_opaque(i) && has(i.source); }) ||
-           std::ranges::any_of(frame.items,
-                               [&](const DrawItem& i) { return is_opaque(i) && !has(i.source); });
+    const auto has_base = [&](const DrawItem& i) { return is_opaque(i) && has(i.source); };
+    const auto is_missing = [&](const DrawItem& i) {
+        return (is_opaque(i) || frame.is_fade) && !has(i.source);
+    };
+    return (!frame.is_fade && std::ranges::none_of(frame.items, has_base)) ||
+           std::ranges::any_of(frame.items, is_missing);
 }
 
 /// Draws the idle picture only where it is seen, because it costs more per pixel than pictures do.

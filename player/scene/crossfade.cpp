@@ -11,8 +11,6 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr double last_part = 0.25;  // of a fade: in it goes what was there before
-
 DrawItem drawn(const PlacedShot& placed, double alpha, std::chrono::nanoseconds now) {
     return {.source = placed.shot.source,
             .cell = placed.cell,
@@ -93,11 +91,12 @@ Frame fade_in_each(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::n
     return frame;
 }
 
-void fade_in(Frame& frame, const LeavingFrame& before, double progress) {
+void fade_in(Frame& frame, const LeavingFrame& before, double progress, double last_part) {
     const double shown = eased(progress);
     for (DrawItem& item : frame.items)
         item.alpha *= shown;
-    frame.idle = std::max(before.idle, std::min(1.0, shown / (1 - last_part)));
+    frame.idle = std::max(before.idle, shown);
+    frame.is_fade = true;
     std::vector<DrawItem> items = before.items;
     const double left = (1 - shown) / last_part;
     for (DrawItem& item : items)

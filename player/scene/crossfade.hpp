@@ -41,9 +41,10 @@ struct LeavingFrame {
     double idle = 1;  // opacity of the idle picture below
 };
 
-/// Fades a whole frame in over the previous one. Its items stay until they are hardly seen any more, so that
-/// the idle picture does not shine through, and then fade out over it.
-/// @param progress  0: only the previous frame, 1: only the new one
-void fade_in(Frame& frame, const LeavingFrame& before, double progress);
+/// Fades a whole frame in over the previous one, whose items fade out.
+/// @param progress   0: only the previous frame, 1: only the new one
+/// @param last_part  of the fade: in it the items fade out. Smaller than 1: they stay until they are hardly
+///                   seen, so that the idle picture does not shine through, where the new frame covers all
+void fade_in(Frame& frame, const LeavingFrame& before, double progress, double last_part = 1);
 
 }  // namespace vitrine::player

@@ -15,8 +15,9 @@ bool is_alike(const DrawItem& a, const DrawItem& b) {
 }  // namespace
 
 bool looks_alike(const Frame& a, const Frame& b) {
-    return a.canvas == b.canvas && a.view == b.view && a.idle == b.idle && a.plates == b.plates &&
-           a.words == b.words && a.names == b.names && std::ranges::equal(a.items, b.items, is_alike);
+    return a.canvas == b.canvas && a.view == b.view && a.idle == b.idle && a.is_fade == b.is_fade &&
+           a.plates == b.plates && a.words == b.words && a.names == b.names &&
+           std::ranges::equal(a.items, b.items, is_alike);
 }
 
 }  // namespace vitrine::player

@@ -75,6 +75,7 @@ struct Frame {
     std::vector<CaptionRoom> captions{};  // whose captions become `words`
     std::vector<Box> covered;  // canvas px: boxes that the items cover completely, if all can be drawn
     double idle = 0;           // opacity of the idle picture drawn first, in [0, 1]
+    bool is_fade = false;      // true: there need be no opaque item, and `idle` holds nevertheless
     std::chrono::nanoseconds time{0};  // since the player started
 };
 

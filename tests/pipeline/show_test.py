@@ -92,14 +92,15 @@ class Show(unittest.TestCase):
 
         self.assertEqual(len(pictures), 12 * RATE)
         steps, entries = [], []
-        for colour in COLOURS:
-            track = [middle_of(picture, colour) for picture in pictures]
+        tracks = [[middle_of(picture, colour) for picture in pictures] for colour in COLOURS]
+        begin = min(k for track in tracks for k, (_, _, count) in enumerate(track) if count > 10)
+        for track in tracks:
             whole = max(count for _, _, count in track)
             for before, after in zip(track, track[1:]):
                 if min(before[2], after[2]) > 0.95 * whole and 40 < before[0] < WIDTH - 40:
                     steps.append((before[0] - after[0], before[1] - after[1]))
             seen = [k for k, (_, _, count) in enumerate(track) if count > 10]
-            if seen and seen[0] > 0:
+            if seen and seen[0] > begin + RATE:  # the first ones have faded in
                 entries.append(track[seen[0]][0])
         self.assertGreater(len(steps), 100)
         along, across = ([step[axis] for step in steps] for axis in (0, 1))

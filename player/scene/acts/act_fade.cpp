@@ -13,6 +13,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr auto fade_time = std::chrono::milliseconds(800);
+constexpr double last_part = 0.25;  // of the fade: in it goes what was shown before
 
 /// The same items elsewhere on the canvas.
 std::vector<DrawItem> moved_by(std::vector<DrawItem> items, Vec2 way) {
@@ -48,7 +49,7 @@ void ActFade::draw(Frame& frame, nanoseconds now) {
     const double progress =
         std::chrono::duration<double>(now - *since_) / std::chrono::duration<double>(fade_time);
     if (progress < 1)
-        fade_in(frame, played_on(before_, frame.items, now - *since_), progress);
+        fade_in(frame, played_on(before_, frame.items, now - *since_), progress, last_part);
     else
         since_.reset(), before_ = {};
 }

@@ -131,7 +131,8 @@ void add_walls(RandomFrame& made, Dice& dice) {
             item.alpha = happens(dice, 0.3) ? 1 : between(dice, 0, 1);
         return;
     case 3:  // one wall fades out, another in
-        frame.idle = 1;
+        frame.is_fade = happens(dice, 0.5);
+        frame.idle = frame.is_fade ? alpha : 1;
         append(frame, RandomWall(dice, made, 1).items(1 - alpha));
         return append(frame, RandomWall(dice, made, 100).items(alpha));
     default:  // one wall fades in over another

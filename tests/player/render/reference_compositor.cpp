@@ -111,13 +111,13 @@ ReferenceImage ReferenceCompositor::drawn(const Frame& frame) {
 
 /// Draws the idle picture below everything else, opaque if a hole would be seen.
 void ReferenceCompositor::draw_idle(const Frame& frame) {
-    bool has_opaque = false;
-    bool misses_opaque = false;
+    bool has_base = frame.is_fade;
+    bool is_missing = false;
     for (const DrawItem& item : frame.items) {
-        if (item.alpha < 1) continue;
-        (pictures_.contains(item.source) ? has_opaque : misses_opaque) = true;
+        if (item.alpha < 1 && !frame.is_fade) continue;
+        (pictures_.contains(item.source) ? has_base : is_missing) = true;
     }
-    const double opacity = !has_opaque || misses_opaque ? 1 : frame.idle;
+    const double opacity = !has_base || is_missing ? 1 : frame.idle;
     if (opacity <= 0) return;
     const auto place = [&](Vec2 share) {
         return on_screen(Vec2{share.x * frame.canvas.x, share.y * frame.canvas.y} + frame.view);

@@ -137,15 +137,19 @@ TEST_CASE("a frame that fades in lets what was there before fade out") {
     const LeavingFrame before{.items = {{.source = 2}}, .idle = 0};
     Frame coming = frame;
     fade_in(coming, before, 0.25);
-    CHECK(coming.idle == doctest::Approx(0.15625 / 0.75));  // what is dim shows it
+    CHECK(coming.idle == doctest::Approx(0.15625));  // what is dim shows it
+    CHECK(coming.is_fade);
     CHECK(sources(coming) == std::vector<SourceId>{2, 1});
-    CHECK(coming.items[0].alpha == 1);  // the idle picture does not shine through
+    CHECK(coming.items[0].alpha == doctest::Approx(0.84375));
     CHECK(coming.items[1].alpha == doctest::Approx(0.15625));
-    Frame later = frame;
-    fade_in(later, before, 0.9);
-    CHECK(later.idle == 1);
-    CHECK(later.items[0].alpha == doctest::Approx(0.112));
-    CHECK(later.items[1].alpha == doctest::Approx(0.972));
+    Frame early = frame;
+    fade_in(early, before, 0.25, 0.25);
+    CHECK(early.items[0].alpha == 1);  // the idle picture does not shine through
+    CHECK(early.items[1].alpha == doctest::Approx(0.15625));
+    Frame late = frame;
+    fade_in(late, before, 0.9, 0.25);
+    CHECK(late.items[0].alpha == doctest::Approx(0.112));
+    CHECK(late.items[1].alpha == doctest::Approx(0.972));
     fade_in(frame, {}, 0.25);
     CHECK(frame.idle == 1);
     CHECK(sources(frame) == std::vector<SourceId>{1});
