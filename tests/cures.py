@@ -245,7 +245,7 @@ CURES = [
     Cure("black beside a wall that waits for a new canvas", "player/layout/canvas.cpp",
          "    if (!canvas.outputs.empty() && !other.outputs.empty())\n", "    if (false)\n", "scene_test.wall_test"),
     Cure("an idle picture that shines through a fade", "player/scene/crossfade.cpp",
-         "    const double left = (1 - shown) / last_part;\n", "    const double left = 1 - shown;\n", "scene_test.crossfade_test"),
+         "    const double left = (1 - shown) / last_part;\n", "    const double left = 1 - shown + 0 * last_part;\n", "scene_test.crossfade_test"),
     Cure("an idle picture that flashes as a tapestry opens", "player/scene/crossfade.cpp",
          "    frame.idle = std::max(before.idle, shown);\n", "    frame.idle = 1;\n", "scene_test.crossfade_test"),
     Cure("a notice for which the leader waits in vain", "player/scene/acts/led_show.cpp",
