@@ -39,7 +39,7 @@ std::vector<Vec2> corners_of(const Loops& loops) {
     return corners;
 }
 
-Box bounds_of(const Loops& loops) {
+Box bounds_of_loops(const Loops& loops) {
     return bounding_box(corners_of(loops));
 }
 
@@ -56,10 +56,10 @@ std::vector<Leftover> split_by_takers(const Loops& orphaned, const std::vector<L
     if (!orphaned.empty()) leftovers.push_back({orphaned, {}});
     for (std::size_t i = 0; i < cores.size(); ++i) {
         if (cores[i].empty()) continue;
-        const Box core = bounds_of(cores[i]);
+        const Box core = bounds_of_loops(cores[i]);
         std::vector<Leftover> next;
         for (Leftover& leftover : leftovers) {
-            const Box bounds = bounds_of(leftover.area);
+            const Box bounds = bounds_of_loops(leftover.area);
             if (intersection(bounds, core).is_empty()) {
                 next.push_back(std::move(leftover));
                 continue;
@@ -96,7 +96,7 @@ double max_distance(const Box& box, const Polygon& region) {
 
 /// The takers that may be the nearest ones somewhere in a leftover.
 std::set<std::size_t> likely_takers(const Leftover& leftover, std::span<const Polygon> regions) {
-    const Box bounds = bounds_of(leftover.area);
+    const Box bounds = bounds_of_loops(leftover.area);
     double reach = std::numeric_limits<double>::infinity();
     for (const std::size_t taker : leftover.takers)
         reach = std::min(reach, max_distance(bounds, regions[taker]));
@@ -117,7 +117,7 @@ class LeftoverSharing {
         if (takers.size() == 1) return append(shown[*takers.begin()], leftover.area);
         const double area = area_of(leftover.area);
         if (area < whole_share * canvas_.area()) {
-            const Box bounds = bounds_of(leftover.area);
+            const Box bounds = bounds_of_loops(leftover.area);
             const double length = std::max(bounds.width(), bounds.height());
             if (length > needle_length && area < needle_width * length)
                 return give_along(leftover.area, takers, shown);
@@ -136,7 +136,7 @@ class LeftoverSharing {
     /// Cuts a needle across, where another taker becomes the nearest. Given to one taker as a whole, it would
     /// lie along the others.
     void give_along(Loops rest, const std::set<std::size_t>& takers, std::vector<Loops>& shown) const {
-        const Box bounds = bounds_of(rest);
+        const Box bounds = bounds_of_loops(rest);
         const auto along = bounds.width() >= bounds.height() ? &Vec2::x : &Vec2::y;
         const auto [first, last] = ends_of(rest, along);
         const auto at = [first = first, last = last](double share) { return first + (last - first) * share; };
@@ -210,10 +210,11 @@ CanvasShares shared_among(std::span<const Polygon> regions, const std::vector<Lo
     CanvasShares shares{std::vector<Loops>(regions.size()), std::vector<Loops>(regions.size())};
     LeftoverSharing sharing(regions, canvas, sites);
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        const bool is_clipped = is_whole && (nearest[i].empty() || is_within(bounds_of(nearest[i]), canvas));
+        const bool is_clipped =
+            is_whole && (nearest[i].empty() || is_within(bounds_of_loops(nearest[i]), canvas));
         const Loops mine = is_clipped ? nearest[i] : intersection_of(nearest[i], area);
         if (mine.empty()) continue;
-        if (!cores[i].empty() && is_within(bounds_of(mine), bounds_of(cores[i]))) {
+        if (!cores[i].empty() && is_within(bounds_of_loops(mine), bounds_of_loops(cores[i]))) {
             append(shares.shown[i], mine);
             continue;
         }
@@ -255,7 +256,7 @@ void add_as_one(ItemAreas& units, const ItemAreas& sites, const LayoutGroup& gro
     for (const std::size_t i : group.items) {
         corners.insert(corners.end(), sites.regions[i].begin(), sites.regions[i].end());
         if (sites.cores[i].empty()) continue;
-        const Box core = bounds_of(sites.cores[i]);
+        const Box core = bounds_of_loops(sites.cores[i]);
         frame = frame ? united(*frame, core) : core;
     }
     units.regions.push_back(convex_hull(corners));
