@@ -256,6 +256,8 @@ CURES = [
          "acts_test.shared_pan_test"),
     Cure("a wall that pans over files that are gone", "player/scene/pan/ribbon_shots.cpp",
          "    return is_any;\n", "    return is_any && has_files();\n", "scene_test.panning_wall_test"),
+    Cure("an idle picture that is drawn below a wall that pans", "player/scene/crossfade.cpp",
+         "leaves_border(wall, {view, view + canvas})", "leaves_border(wall, {{0, 0}, canvas})", "scene_test.panning_wall_test"),
     Cure("black in a wall that begins to pan", "player/scene/pan/panning_wall.cpp",
          "    if (!leaving_ && shots_.seen(view_).empty()) leaving_ = Leaving{.waiting_since = now};\n", "",
          "scene_test.panning_wall_test"),

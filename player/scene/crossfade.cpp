@@ -34,16 +34,6 @@ bool is_unchanged(const PlacedShot& placed, std::span<const PlacedShot> old_wall
     });
 }
 
-/// True if a wall leaves a border of its canvas free: it was laid out for a smaller one.
-bool leaves_border(std::span<const PlacedShot> wall, Vec2 canvas) {
-    Box all{canvas, {0, 0}};
-    for (const PlacedShot& placed : wall) {
-        const Box cell = bounds_of(*placed.cell);
-        if (!cell.is_empty()) all = united(all, cell);
-    }
-    return all.min.x > 1 || all.min.y > 1 || all.max.x < canvas.x - 1 || all.max.y < canvas.y - 1;
-}
-
 }  // namespace
 
 double eased(double progress) {
@@ -51,27 +41,35 @@ double eased(double progress) {
     return t * t * (3 - 2 * t);
 }
 
-Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now) {
-    return crossfade(canvas, wall, {}, 0, now);
+bool leaves_border(std::span<const PlacedShot> wall, const Box& seen) {
+    Box all{seen.max, seen.min};
+    for (const PlacedShot& placed : wall) {
+        const Box cell = bounds_of(*placed.cell);
+        if (!cell.is_empty()) all = united(all, cell);
+    }
+    return all.min.x > seen.min.x + 1 || all.min.y > seen.min.y + 1 || all.max.x < seen.max.x - 1 ||
+           all.max.y < seen.max.y - 1;
+}
+
+Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now, Vec2 view) {
+    Frame frame{.canvas = canvas, .view = view, .time = now};
+    frame.idle = leaves_border(wall, {view, view + canvas}) ? 1 : 0;
+    draw(frame, wall, 1);
+    return frame;
 }
 
 Frame crossfade(Vec2 canvas, std::span<const PlacedShot> old_wall, std::span<const PlacedShot> new_wall,
                 double progress, std::chrono::nanoseconds now) {
-    Frame frame{.canvas = canvas, .time = now};
     const double alpha = eased(progress);
-    if (alpha >= 1 || alpha <= 0) {
-        const auto wall = alpha >= 1 ? new_wall : old_wall;
-        frame.idle = leaves_border(wall, canvas) ? 1 : 0;
-        draw(frame, wall, 1);
-        return frame;
-    }
+    if (alpha >= 1 || alpha <= 0) return standing_frame(canvas, alpha >= 1 ? new_wall : old_wall, now);
+    Frame frame{.canvas = canvas, .time = now};
     if (old_wall.empty() || new_wall.empty()) {
         frame.idle = 1;
         draw(frame, old_wall, 1 - alpha);
         draw(frame, new_wall, alpha);
         return frame;
     }
-    frame.idle = leaves_border(old_wall, canvas) ? 1 : 0;
+    frame.idle = leaves_border(old_wall, {{0, 0}, canvas}) ? 1 : 0;
     draw(frame, old_wall, 1);
     for (const PlacedShot& placed : new_wall) {
         if (!is_unchanged(placed, old_wall)) frame.items.push_back(drawn(placed, alpha, now));

@@ -19,8 +19,14 @@ inline constexpr double max_blended = 0.999;
 double eased(double progress);
 
 /// The frame of a wall that does not change. A wall without shots is the idle picture. Cells above the others
-/// are a little less than opaque; they are to be drawn last.
-Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now);
+/// are a little less than opaque; they are to be drawn last. Where the wall leaves a border free, the idle
+/// picture is below it.
+/// @param view  canvas point at the top left, px
+Frame standing_frame(Vec2 canvas, std::span<const PlacedShot> wall, std::chrono::nanoseconds now,
+                     Vec2 view = {});
+
+/// True if a wall leaves a border of a box free: it was laid out for a smaller canvas.
+bool leaves_border(std::span<const PlacedShot> wall, const Box& seen);
 
 /// A frame of the crossfade from one wall to the next: the old wall opaque and the new one over it, or one of
 /// them alone. A wall without shots is the idle picture. A shot that is the same in both is drawn only once.

@@ -32,9 +32,7 @@ Frame pan_frame(const WallAct& act, std::chrono::nanoseconds now) {
         const Box bounds = bounds_of(*placed.cell);
         if (bounds.max.x > view && bounds.min.x < view + act.canvas.x) seen.push_back(placed);
     }
-    Frame frame = standing_frame(act.canvas, seen, now);
-    frame.view = {view, 0};
-    return frame;
+    return standing_frame(act.canvas, seen, now, {view, 0});
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ void PanningWall::draw_leaving(std::chrono::nanoseconds now, WallStep& step) {
     }
     step.frame = crossfade(canvas_, old, coming, progress, now);
     step.frame.view = view;
+    if (!old.empty() && (!coming.empty() || progress <= 0))
+        step.frame.idle = leaves_border(old, {view, view + canvas_}) ? 1 : 0;
 }
 
 WallStep PanningWall::step(std::chrono::nanoseconds now) {
@@ -162,8 +164,7 @@ WallStep PanningWall::step(std::chrono::nanoseconds now) {
     advance(now);
     if (!touch_.is_active()) step.plan = shots_.extend(view_);
     shots_.ask_and_retire(view_, motion_.may_go_back(now), step);
-    step.frame = standing_frame(canvas_, shots_.seen(view_), now);
-    step.frame.view = {view_ - shots_.origin(), 0};
+    step.frame = standing_frame(canvas_, shots_.seen(view_), now, {view_ - shots_.origin(), 0});
     if (is_waiting_) step.frame.idle = 1;
     if (!leaving_ && shots_.seen(view_).empty()) leaving_ = Leaving{.waiting_since = now};
     if (leaving_) draw_leaving(now, step);
