@@ -19,7 +19,6 @@ struct CellPoint {
 
     bool operator==(const CellPoint&) const = default;
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
-    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads the 0 inside the default
     auto operator<=>(const CellPoint&) const = default;
 };
 
