@@ -94,9 +94,12 @@ void CellLayer::draw_range(const PictureProgram& program, const DrawItem& item, 
     texture.bind_sampled(program.is_filler() ? Sampling::filler
                          : is_one_to_one     ? Sampling::exact
                                              : Sampling::smooth);
-    program.use(item, {.texture = texture, .slide = pictures_.slide(item.source), .is_exact = is_one_to_one},
-                view);
+    program.use(item, {.texture = texture, .slide = slide_of(item), .is_exact = is_one_to_one}, view);
     glDrawArrays(mode, range.first, range.count);
+}
+
+Vec2 CellLayer::slide_of(const DrawItem& item) const {
+    return pictures_.slide(item.source) * item.slide_share;
 }
 
 const PicturePrograms& CellLayer::programs(const DrawItem& item) {
@@ -110,7 +113,7 @@ const PicturePrograms& CellLayer::programs(const DrawItem& item) {
 /// costs half if the processor draws.
 bool CellLayer::is_exact(const PictureTexture& texture, const DrawItem& item) const {
     const Vec2 shown = item.picture * item.placement.scale;
-    return is_on_pixels_ && is_rgb(texture.layout()) && pictures_.slide(item.source) == Vec2{} &&
+    return is_on_pixels_ && is_rgb(texture.layout()) && slide_of(item) == Vec2{} &&
            std::abs(shown.x - texture.width()) < same_size &&
            std::abs(shown.y - texture.height()) < same_size;
 }

@@ -62,6 +62,7 @@ class CellLayer {
     void draw_range(const PictureProgram& program, const DrawItem& item, const ToNdc& view, GLenum mode,
                     CellMesh::Range range);
     const PicturePrograms& programs(const DrawItem& item);
+    Vec2 slide_of(const DrawItem& item) const;
     bool is_exact(const PictureTexture& texture, const DrawItem& item) const;
 
     UploadedPictures& pictures_;  // outlives this

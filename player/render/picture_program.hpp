@@ -15,7 +15,7 @@ namespace vitrine::player {
 /// An item's picture for one drawing.
 struct DrawnPicture {
     const PictureTexture& texture;  // the picture, or a reduced copy of it
-    Vec2 slide;                     // Sample::slide
+    Vec2 slide;                     // the share of Sample::slide that is drawn
     bool is_exact = false;          // each texel is drawn as one pixel
 };
 

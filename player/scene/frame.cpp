@@ -9,7 +9,7 @@ namespace {
 bool is_alike(const DrawItem& a, const DrawItem& b) {
     return a.source == b.source && a.cell == b.cell && a.zoom == b.zoom && a.share == b.share &&
            a.placement == b.placement && a.picture == b.picture && a.alpha == b.alpha &&
-           a.filler_light == b.filler_light;
+           a.filler_light == b.filler_light && a.slide_share == b.slide_share;
 }
 
 }  // namespace

@@ -132,7 +132,8 @@ DrawItem LiftedShot::drawn(std::chrono::nanoseconds now) const {
                   .picture = placed_.shot.picture,
                   .active = placed_.shot.active,
                   .local = seen_for(placed_, now),
-                  .alpha = at.alpha};
+                  .alpha = at.alpha,
+                  .slide_share = 1 - at.open};  // a picture that is seen whole stands still
     const double growth = at.at.scale / placed_.placement.scale;
     Cell carried = scaled_cell(*placed_.cell, growth, at.at.offset - placed_.placement.offset * growth);
     if (at.open > 0 && !carried.parts.empty()) {

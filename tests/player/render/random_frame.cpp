@@ -62,6 +62,7 @@ class RandomWall {
             if (!happens(dice_, 0.02)) {
                 add_picture(item);
                 made_.pictures.at(item.source).still.sample.slide = slide;
+                item.slide_share = std::abs(slide.x) / 4;
             }
             all.push_back(item);
         }

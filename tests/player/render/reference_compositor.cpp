@@ -148,7 +148,7 @@ void ReferenceCompositor::draw_run(std::span<const DrawItem> items) {
 ReferenceCompositor::Corner ReferenceCompositor::corner(const DrawItem& item, Vec2 canvas_point,
                                                         double opacity) const {
     const Vec2 source = (canvas_point - item.placement.offset) * (1 / item.placement.scale) +
-                        pictures_.at(item.source).slide();
+                        pictures_.at(item.source).slide() * item.slide_share;
     return {.at = on_screen(canvas_point),
             .place = {source.x / item.picture.x, source.y / item.picture.y},
             .opacity = opacity,

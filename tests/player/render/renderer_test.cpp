@@ -129,7 +129,7 @@ TEST_CASE("less light makes the whole picture darker, and more gives it back") {
     }
 }
 
-TEST_CASE("a drifting film moves against its drift under its cell") {
+TEST_CASE("a drifting film moves against its drift under its cell, and not where it is seen whole") {
     DrawnWall wall;
     wall.add(1, cell(box(0, 0, 100, 100)), {0, 0});
     Still picture_of_film = still(100, 100, [](int x, int) { return x < 60 ? red : green; });
@@ -140,6 +140,10 @@ TEST_CASE("a drifting film moves against its drift under its cell") {
 
     CHECK(is_near(at(picture, 25, 50), red));
     CHECK(is_near(at(picture, 35, 50), green));
+    wall.frame.items[0].slide_share = 0;
+    const Picture whole = wall.shown();
+    CHECK(is_near(at(whole, 55, 50), red));
+    CHECK(is_near(at(whole, 65, 50), green));
 }
 
 TEST_CASE("placement scales and moves the source") {

@@ -141,6 +141,24 @@ TEST_CASE("a shot is large while a finger rests on it, and is back in its place 
     CHECK(house.placements() == before);
 }
 
+TEST_CASE("a film whose subject moves does not slide while it is seen whole, and gets there without a jump") {
+    constexpr auto frame_time = 40ms;
+    TouchedHouse house;
+    house.put(Kind::down, 0, centre_of(house.wall[3]));
+    double before = 1;
+    for (int k = 0; k < 50; ++k) {
+        const Frame frame = house.run(frame_time);
+        const double share = frame.items.size() == 7 ? frame.items.back().slide_share : 1;
+        CHECK(share <= before);
+        CHECK(share > before - 0.4);
+        before = share;
+    }
+    CHECK(before == 0);
+    house.put(Kind::up, 0);
+    const Frame frame = house.run(1s);
+    CHECK(std::ranges::all_of(frame.items, [](const DrawItem& item) { return item.slide_share == 1; }));
+}
+
 TEST_CASE("a contact that is lost, or rests too long, leaves all as it was") {
     for (const bool is_cancelled : {true, false}) {
         TouchedHouse house;
