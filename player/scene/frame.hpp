@@ -33,7 +33,7 @@ struct DrawItem {
     std::chrono::nanoseconds local{0};     // since the shot first appeared; it plays in a loop
     double alpha = 1;                      // opacity over the items drawn before it, [0, 1]
     double filler_light = usual_filler_light;  // brightness of the cell's filler, as a share of the picture's
-    double slide_share = 1;                // share of the picture's slide (Sample) that is drawn, [0, 1]
+    double slide_share = 1;                    // share of the picture's slide (Sample) that is drawn, [0, 1]
 };
 
 /// A plain white box, for the rim of something above the wall.

@@ -170,12 +170,13 @@ void LiftedShots::draw(Frame& frame) const {
         const Lifted* lifted = find(item.source);
         is_bare = is_bare && lifted != nullptr && item.alpha < 1;
         item.filler_light = filler_light_.at(frame.time);
-        if (lifted == nullptr)
-            item.alpha *= 1 - dims;
+        const double light = lifted == nullptr ? 1 : 1 - (1 - waiting_light) * absence(*lifted, frame.time);
+        if (lifted == nullptr || lifted->state == State::dismissed)
+            item.alpha *= std::min(1 - dims, light);
         else if (item.alpha < 1)
             item.alpha *= lifted->seat.at(frame.time) * (1 - dims);
         else
-            item.alpha = std::min(1 - dims, 1 - (1 - waiting_light) * absence(*lifted, frame.time));
+            item.alpha = std::min(1 - dims, light);
     }
     if (is_bare) draw_bare(frame, dims);
     for (const State state : {State::beckoning, State::returning, State::let_go, State::gone, State::large,

@@ -219,7 +219,8 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
         if (is_back(lifted)) needs_.requests.push_back(request_of(*placed));
     }
     std::erase_if(lifted_.all(), [&](const auto& entry) {
-        return find_source(wall.shots, entry.first) == nullptr || is_back(entry.second);
+        const bool is_leaving = wall.is_changing && entry.second.state == State::dismissed;
+        return (find_source(wall.shots, entry.first) == nullptr && !is_leaving) || is_back(entry.second);
     });
     if (whole_ != 0 && lifted_.find(whole_) == nullptr) {
         whole_ = tapped_ = 0;

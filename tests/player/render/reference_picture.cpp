@@ -111,8 +111,8 @@ ReferencePicture::Channel ReferencePicture::smaller_copies(Level whole) {
 void ReferencePicture::aim(const DrawItem& item, Vec2 px, bool is_on_pixels) {
     const Vec2 shown = item.picture * item.placement.scale;
     if (width_ / shown.x >= small && !is_film_) has_smaller_copies_ = true;
-    is_exact_ = is_on_pixels && is_rgb_ && slide_ * item.slide_share == Vec2{} && std::abs(shown.x - width_) < same_extent &&
-                std::abs(shown.y - height_) < same_extent;
+    is_exact_ = is_on_pixels && is_rgb_ && slide_ * item.slide_share == Vec2{} &&
+                std::abs(shown.x - width_) < same_extent && std::abs(shown.y - height_) < same_extent;
     for (std::size_t i = 0; i < 3; ++i) {
         const Level& whole = channels_[i].front();
         const double texels = std::max(whole.width / (shown.x * px.x), whole.height / (shown.y * px.y));

@@ -679,6 +679,26 @@ TEST_CASE("a shot that is flicked out of the canvas leaves, and the next one com
     CHECK(length(house.planned[1].items[1].seat->centre - on_second) < 1e-6);
 }
 
+TEST_CASE("a shot that is flicked out does not become bright again as the next one comes") {
+    for (const bool has_more : {true, false}) {
+        CAPTURE(has_more);
+        House house = has_more ? ::house({photo("a"), photo("b"), photo("c"), photo("d")})
+                               : ::house({photo("a"), photo("b"), photo("c")});
+        const SourceId second = house.run(2s).frame.items[1].source;
+        flick_second(house, {0, -900});
+        house.run(1s);
+        bool is_gone = false;
+        for (int k = 0; k < 400; ++k) {
+            const Frame frame = house.run(20ms).frame;
+            is_gone = std::ranges::none_of(
+                frame.items, [&](const DrawItem& item) { return item.source == second && item.alpha > 0; });
+            for (const DrawItem& item : frame.items)
+                if (item.source == second) CHECK(item.alpha <= waiting_light + 1e-9);
+        }
+        CHECK(is_gone);
+    }
+}
+
 TEST_CASE("of a wall that has no more a shot that is flicked out stays away for a minute") {
     House house = ::house({photo("a"), photo("b"), photo("c")});
     house.run(2s);
