@@ -149,6 +149,18 @@ void LiftedShots::show(const LiftedMoment& seen, std::span<const PlacedShot> wal
     filler_light_ = {.from = seen.filler_light, .to = seen.filler_light};
 }
 
+/// Lets the idle picture come as a wall of which all shots were flicked out goes: so far they were dim above
+/// black.
+void LiftedShots::let_idle_come(Frame& frame) const {
+    double left = 0;
+    for (const DrawItem& item : frame.items) {
+        const Lifted* lifted = find(item.source);
+        if (lifted == nullptr || lifted->state != State::dismissed) return;
+        left = std::max(left, item.alpha);
+    }
+    frame.idle = std::min(frame.idle, 1 - left);
+}
+
 /// Draws the idle picture: hands have all shots, so no cell covers the places that they leave. These places
 /// fade out.
 void LiftedShots::draw_bare(Frame& frame, double dims) const {
@@ -162,13 +174,14 @@ void LiftedShots::draw_bare(Frame& frame, double dims) const {
 void LiftedShots::draw(Frame& frame) const {
     std::stable_partition(frame.items.begin(), frame.items.end(),
                           [](const DrawItem& item) { return item.alpha >= 1; });
+    let_idle_come(frame);
     double dims = 0;
     for (const auto& [source, lifted] : all_)
         dims = std::max(dims, lifted.picture.pose(frame.time).dims);
     bool is_bare = !frame.items.empty();
     for (DrawItem& item : frame.items) {
         const Lifted* lifted = find(item.source);
-        is_bare = is_bare && lifted != nullptr && item.alpha < 1;
+        is_bare = is_bare && lifted != nullptr && lifted->state != State::dismissed && item.alpha < 1;
         item.filler_light = filler_light_.at(frame.time);
         const double light = lifted == nullptr ? 1 : 1 - (1 - waiting_light) * absence(*lifted, frame.time);
         if (lifted == nullptr || lifted->state == State::dismissed)

@@ -118,6 +118,7 @@ class LiftedShots {
     void draw(Frame& frame) const;
 
   private:
+    void let_idle_come(Frame& frame) const;
     void draw_bare(Frame& frame, double dims) const;
 
     std::map<SourceId, Lifted> all_;

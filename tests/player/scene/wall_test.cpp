@@ -21,6 +21,7 @@ struct House {
     std::chrono::nanoseconds now = 0s;
     bool plans = true;
     bool readies = true;
+    bool is_dim = false;  // the only shot is offered in its place
     std::map<SourceId, ShotRequest> playing{};
     std::vector<WallPlan> planned{};
     int requests = 0;
@@ -62,7 +63,7 @@ struct House {
         for (const DrawItem& item : step.frame.items)
             REQUIRE(playing.contains(item.source));
         const bool is_covered =
-            step.frame.idle == 1 ||
+            step.frame.idle == 1 || is_dim ||
             std::ranges::any_of(step.frame.items, [](const DrawItem& item) { return item.alpha == 1; });
         REQUIRE(is_covered);
         if (step.plan && !step.plan->way) planned.push_back(*step.plan);
@@ -697,6 +698,32 @@ TEST_CASE("a shot that is flicked out does not become bright again as the next o
         }
         CHECK(is_gone);
     }
+}
+
+TEST_CASE("the only shot of a wall is flicked out and gives way to the idle picture without a jump") {
+    House house = ::house({photo("a")});
+    const SourceId only = house.run(2s).frame.items[0].source;
+    house.is_dim = true;
+    Gesture gesture{.kind = Gesture::Kind::drag,
+                    .touch = 1,
+                    .subject = only,
+                    .at = {400, 225},
+                    .from = {400, 225},
+                    .moved = {1, 0}};
+    house.wall.handle_gesture(gesture);
+    gesture.kind = Gesture::Kind::flick;
+    gesture.velocity = {0, -2000};
+    house.wall.handle_gesture(gesture);
+    house.run(1s);
+    double idle = 0;
+    for (int k = 0; k < 400; ++k) {
+        const Frame frame = house.run(20ms).frame;
+        CHECK(frame.idle - idle < 0.25);
+        idle = frame.idle;
+        for (const DrawItem& item : frame.items)
+            CHECK(item.alpha <= waiting_light + 1e-9);
+    }
+    CHECK(idle == 1);
 }
 
 TEST_CASE("of a wall that has no more a shot that is flicked out stays away for a minute") {
