@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
             PlanRequest request{.items = step.plan->items, .canvas = step.plan->canvas, .clearance = 2};
             Layout layout = plan(request);
             layout.generation = step.plan->generation;
+            layout.is_final = true;
             wall.set_layout(layout);
         }
         const auto shown = wall.shown();
