@@ -54,6 +54,12 @@ double growth_of(const PlacedShot& placed, const Canvas& canvas) {
                       max_growth);
 }
 
+/// True if a lifted shot is on the wall, or was flicked out and leaves with the change that is seen.
+bool is_on(const TouchedWall& wall, SourceId source, const Lifted& lifted) {
+    return find_source(wall.shots, source) != nullptr ||
+           (wall.is_changing && lifted.state == State::dismissed);
+}
+
 bool are_alike(const std::vector<Wish>& a, const std::vector<Wish>& b) {
     return std::ranges::equal(a, b, [](const Wish& one, const Wish& other) {
         return one.item == other.item && one.is_let_go == other.is_let_go && one.at.scale == other.at.scale &&
@@ -219,8 +225,7 @@ bool WallTouch::advance(std::chrono::nanoseconds now, const TouchedWall& wall, b
         if (is_back(lifted)) needs_.requests.push_back(request_of(*placed));
     }
     std::erase_if(lifted_.all(), [&](const auto& entry) {
-        const bool is_leaving = wall.is_changing && entry.second.state == State::dismissed;
-        return (find_source(wall.shots, entry.first) == nullptr && !is_leaving) || is_back(entry.second);
+        return is_back(entry.second) || !is_on(wall, entry.first, entry.second);
     });
     if (whole_ != 0 && lifted_.find(whole_) == nullptr) {
         whole_ = tapped_ = 0;
