@@ -17,6 +17,7 @@ namespace {
 
 constexpr double max_side = 16384;                       // canvas px, the limit of the packing's precision
 constexpr double whole_px = 1e-3;                        // canvas px; so near a px is meant
+constexpr double min_beyond = 0.5;                       // canvas px; less is rounding
 constexpr auto kept_without = std::chrono::seconds(60);  // a place whose output is gone
 
 /// An output on the canvas, in the units of the words.
@@ -106,6 +107,20 @@ std::string overlap_of(const SharedCanvas& shared) {
     return {};
 }
 
+namespace {
+
+/// Adds the outputs that are new on a canvas to the one before, where they hang.
+void add_new_outputs(SharedCanvas& before, const SharedCanvas& now) {
+    if (before.parts.empty()) return;
+    const auto [scale, offset] = place_on(before.canvas, now.canvas);
+    for (const auto& [name, part] : now.parts)
+        before.parts.try_emplace(name, OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
+                                                          near_whole((part.box.max - offset) * (1 / scale))},
+                                                  .rotation = part.rotation});
+}
+
+}  // namespace
+
 void OutputCanvas::read_words() {
     if (text_ == settings_.output.canvas) return;
     text_ = settings_.output.canvas;
@@ -120,6 +135,7 @@ void OutputCanvas::take(SharedCanvas shared) {
     if (shared == now_) return;
     before_ = std::exchange(now_, std::move(shared));
     if (!is_shared()) return;
+    add_new_outputs(before_, now_);
     log::info("one canvas of {:.0f}x{:.0f} px on {} {}", now_.canvas.x, now_.canvas.y, now_.parts.size(),
               now_.parts.size() == 1 ? "output" : "outputs");
     if (const std::string overlap = overlap_of(now_); !overlap.empty())
@@ -135,10 +151,17 @@ void OutputCanvas::see(const KnownOutput& output, std::chrono::nanoseconds now) 
         *same = {.output = output, .last = now};
 }
 
-std::map<std::string, ActPart> OutputCanvas::parts() const {
+std::vector<ActParts> OutputCanvas::parts() const {
+    std::vector<ActParts> all;
+    for (const SharedCanvas* shared : {&now_, &before_})
+        if (!shared->parts.empty()) all.push_back({.canvas = shared->canvas, .parts = act_parts(*shared)});
+    return all;
+}
+
+std::map<std::string, ActPart> OutputCanvas::act_parts(const SharedCanvas& shared) const {
     std::map<std::string, ActPart> parts;
     const std::string own = own_prefix(settings_);
-    for (const auto& [name, part] : now_.parts)
+    for (const auto& [name, part] : shared.parts)
         parts[name.find('/') == std::string::npos ? own + name : name] = {
             .box = part.box, .turned = degrees_of(part.rotation)};
     return parts;
@@ -182,16 +205,31 @@ void OutputCanvas::expect(int width, int height) {
     now_ = shared_canvas(words_, outputs);
 }
 
+/// The canvas of this size: the one before, or else the one that is there now.
+const SharedCanvas& OutputCanvas::shared_of(Vec2 canvas) const {
+    return now_.canvas != canvas && before_.canvas == canvas ? before_ : now_;
+}
+
 View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
     View view = view_of(settings_, screen.width(), screen.height());
-    const bool is_before = now_.canvas != canvas && before_.canvas == canvas;
-    const SharedCanvas& shared = is_before ? before_ : now_;
+    const SharedCanvas& shared = shared_of(canvas);
     const auto part = shared.parts.find(screen.name());
     if (part == shared.parts.end() || shared.canvas != canvas)
         return letterboxed(screen.width(), screen.height(), view, canvas);
     view.rotation = part->second.rotation;
     view.part = part->second.box;
     return letterboxed(screen.width(), screen.height(), view, canvas);
+}
+
+std::optional<ComingView> OutputCanvas::view_beyond(const Screen& screen, Vec2 canvas) const {
+    View view = view_on(screen, canvas);
+    const Vec2 edge{min_beyond, min_beyond};
+    if (!view.part || intersection(*view.part, {edge * -1, canvas + edge}) == *view.part) return std::nullopt;
+    Box all = *view.part;
+    for (const auto& [name, part] : shared_of(canvas).parts)
+        all = united(all, part.box);
+    view.part = moved(*view.part, all.min * -1);
+    return ComingView{.canvas = all.max - all.min, .origin = all.min, .view = view};
 }
 
 GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {

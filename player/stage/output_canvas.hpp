@@ -9,6 +9,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -58,6 +59,13 @@ struct SharedCanvas {
     }
 };
 
+/// What a screen will show once its canvas is laid out.
+struct ComingView {
+    Vec2 canvas;  // its size, px of the canvas that is seen so far
+    Vec2 origin;  // its top left corner there
+    View view;
+};
+
 /// The canvas for some outputs. The one with most px on a unit of length has them on the canvas, too, unless
 /// the canvas gets longer than 16384 px; so no picture is drawn larger than its canvas.
 /// @param outputs  those that are named; others have no part
@@ -86,14 +94,19 @@ class OutputCanvas {
 
     const SharedCanvas& shared() const { return now_; }
 
-    /// The parts of all outputs, by BOX/OUTPUT.
-    std::map<std::string, ActPart> parts() const;
+    /// The parts of all outputs on the canvas, and on the one before.
+    std::vector<ActParts> parts() const;
 
     /// Takes the canvas of an act, and the parts that this box has of it.
     void show_parts(const WallAct& act);
 
-    /// The part of a frame's canvas that a screen shows. A frame of the canvas before is drawn as before.
+    /// The part of a frame's canvas that a screen shows. A frame of the canvas before is drawn as before; an
+    /// output that is new since then has its part where it hangs, which may be beyond that canvas.
     View view_on(const Screen& screen, Vec2 canvas) const;
+
+    /// The view of a screen that hangs beyond a frame's canvas, in whole or in part, on the canvas to come.
+    /// None: the screen is on the frame's canvas.
+    std::optional<ComingView> view_beyond(const Screen& screen, Vec2 canvas) const;
 
     /// The facts that a guide on a screen draws.
     GuideView guide_view(const Screen& screen, Vec2 canvas) const;
@@ -107,6 +120,8 @@ class OutputCanvas {
     void read_words();
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
+    const SharedCanvas& shared_of(Vec2 canvas) const;
+    std::map<std::string, ActPart> act_parts(const SharedCanvas& shared) const;
 
     const Settings& settings_;  // outlive this
     std::shared_ptr<const OtherOutputs> others_;

@@ -54,7 +54,10 @@ void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Rend
                           bool waits_for_wall) {
     const bool is_new = upload(frame, renderer);
     const bool is_idle = shows_idle(frame, renderer);
-    number(frame, is_new, is_idle);
+    const bool is_beyond = std::ranges::any_of(screens_, [&](const Screen* screen) {
+        return outputs_.view_beyond(*screen, frame.canvas).has_value();
+    });
+    number(frame, is_new, is_idle || is_beyond);
     if (waits_for_wall && is_idle) return;
     for (Screen* screen : screens_) {
         std::uint64_t& shown = shown_[screen];
@@ -106,6 +109,15 @@ WordItem ScreenPainter::guide(const Frame& frame, const Screen& screen) {
 }
 
 void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) {
+    if (const auto coming = outputs_.view_beyond(screen, frame.canvas)) {
+        Frame idle{.canvas = coming->canvas, .idle = 1, .time = frame.time};
+        if (has_guides_) {
+            idle.words.push_back(guide(frame, screen));
+            idle.words.back().place = moved(guides_.at(screen.name()).view.part, coming->origin * -1);
+        }
+        renderer.aim(screen.width(), screen.height(), coming->view);
+        return renderer.draw(idle);
+    }
     renderer.aim(screen.width(), screen.height(), outputs_.view_on(screen, frame.canvas));
     if (!has_guides_) return renderer.draw(frame);
     Frame guided = frame;

@@ -41,7 +41,7 @@ class ScreenPainter {
     std::span<Screen* const> screens() const { return screens_; }
 
     /// The parts of the canvas that all outputs show, those of other boxes too, by BOX/OUTPUT.
-    std::map<std::string, ActPart> parts() const { return outputs_.parts(); }
+    std::vector<ActParts> parts() const { return outputs_.parts(); }
 
     /// Shows the parts of this box in an act from now on.
     void show_parts(const WallAct& act) { outputs_.show_parts(act); }

@@ -1,5 +1,6 @@
 #include "player/scene/acts/led_show.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,7 @@ LedNews LedShow::take_news() {
             .now = local_time()};
 }
 
-void LedShow::set_parts(std::map<std::string, ActPart> parts) {
+void LedShow::set_parts(std::vector<ActParts> parts) {
     if (parts == parts_) return;
     parts_ = std::move(parts);
     wants_act_ = true;
@@ -67,7 +68,8 @@ void LedShow::tell(WallAct act) {
     wants_act_ = false;
     if (acts_ == 0 && last_wall(act).empty()) return;
     act.name.generation = ++acts_;
-    act.parts = parts_;
+    const auto same = std::ranges::find(parts_, act.canvas, &ActParts::canvas);
+    if (same != parts_.end()) act.parts = same->parts;
     act_ = std::move(act);
 }
 

@@ -52,8 +52,9 @@ class LedShow : public ForwardingShow {
     /// The news since the last call.
     LedNews take_news();
 
-    /// Sets the parts of the canvas that outputs show, by BOX/OUTPUT.
-    void set_parts(std::map<std::string, ActPart> parts);
+    /// Sets the parts that outputs show of the canvas, and of the one before as long as that is seen.
+    /// @param parts  the newest first
+    void set_parts(std::vector<ActParts> parts);
 
     /// Tells of the tapestry that is shown in place of the wall. @param seen  none: the wall is shown
     void tell_tapestry(std::optional<TapestryMoment> seen) { tapestry_ = std::move(seen); }
@@ -86,7 +87,7 @@ class LedShow : public ForwardingShow {
     /// The time of the wall that is seen.
     virtual std::chrono::nanoseconds local_time() const { return now_; }
 
-    std::map<std::string, ActPart> parts_;
+    std::vector<ActParts> parts_;  // the newest first
     std::chrono::nanoseconds now_{0};
     AwaitedSources awaited_;
     WallAct prepared_;                    // the last preparation

@@ -76,9 +76,10 @@ Frame act_frame(const WallAct& act, const Frame& wall, std::chrono::nanoseconds 
 }
 
 std::vector<Box> bezels_of(const WallAct& act) {
+    const Box whole{{0, 0}, act.canvas};
     std::vector<Box> outputs;
     for (const auto& [name, part] : act.parts)
-        outputs.push_back(part.box);
+        if (intersection(part.box, whole) == part.box) outputs.push_back(part.box);
     return canvas_of(act.canvas, std::move(outputs)).bands;
 }
 

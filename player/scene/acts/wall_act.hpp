@@ -27,6 +27,14 @@ struct ActPart {
     bool operator==(const ActPart&) const = default;
 };
 
+/// The parts that outputs show of one canvas.
+struct ActParts {
+    Vec2 canvas;                           // px
+    std::map<std::string, ActPart> parts;  // by BOX/OUTPUT
+
+    bool operator==(const ActParts&) const = default;
+};
+
 /// The words of a wall over several boxes by which everyone knows which act is meant.
 struct ActName {
     std::int64_t run = 0;          // of the leader, another number at each of its starts
@@ -74,7 +82,7 @@ struct WallAct {
     ActName name;
     std::chrono::nanoseconds epoch{0};     // shared time, since 1970, at which the leader's wall has time 0
     Vec2 canvas;                           // px
-    std::map<std::string, ActPart> parts;  // by BOX/OUTPUT
+    std::map<std::string, ActPart> parts;  // by BOX/OUTPUT; a new output may lie beyond the canvas so far
     CellStyle cells;                       // of the moments on the way
     std::chrono::nanoseconds fade{0};      // time in which a shot of the first wall fades in
     std::vector<PlacedShot> shown;         // the wall before the change; without a change, the wall

@@ -165,7 +165,13 @@ TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keep
     others->outputs = {{"there/DP-1", 80, 50, {}}};
     outputs.follow(own, 1s);
     CHECK(Vec2(outputs.shared().canvas) == Vec2{160, 80});
-    const std::map<std::string, ActPart> parts = outputs.parts();
+    const std::vector<ActParts> all = outputs.parts();
+    REQUIRE(all.size() == 2);
+    CHECK(all[1].canvas == Vec2{100, 50});  // the wall is seen there until another one is laid out
+    CHECK(all[1].parts.at("here/offscreen-1") == ActPart{.box = {{0, 0}, {100, 50}}});
+    CHECK(all[1].parts.at("there/DP-1") == ActPart{.box = {{110, 0}, {160, 80}}, .turned = 90});
+    CHECK(all[0].canvas == Vec2{160, 80});
+    const std::map<std::string, ActPart>& parts = all[0].parts;
     REQUIRE(parts.size() == 2);
     CHECK(parts.at("here/offscreen-1") == ActPart{.box = {{0, 0}, {100, 50}}});
     CHECK(parts.at("there/DP-1") == ActPart{.box = {{110, 0}, {160, 80}}, .turned = 90});
@@ -188,4 +194,24 @@ TEST_CASE("a box that follows shows the parts that an act gives it") {
     CHECK(view.part == Box{{200, 50}, {300, 100}});
     CHECK(view.rotation == Rotation::half);
     CHECK_FALSE(pair.outputs.view_on(*pair.display.screens()[1], {300, 100}).part);
+}
+
+TEST_CASE(
+    "an output that joins a canvas at the left hangs beyond the one before, and the others stay there") {
+    Pair pair("there/DP-1 -110,0; here/offscreen-1 0,0; here/offscreen-2 120,0");
+    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
+    const auto others = std::make_shared<OtherOutputs>();
+    OutputCanvas outputs(pair.settings, others);
+    outputs.follow(pair.display.screens(), 0s);
+    others->outputs = {{"there/DP-1", 100, 50, {}}};
+    outputs.follow(pair.display.screens(), 1s);
+    CHECK(Vec2(outputs.shared().canvas) == Vec2{310, 50});
+    const Vec2 before{200, 50};
+    const std::map<std::string, ActPart> parts = outputs.parts()[1].parts;
+    CHECK(parts.at("there/DP-1").box == Box{{-110, 0}, {-10, 50}});
+    CHECK(parts.at("here/offscreen-2").box == Box{{120, 0}, {200, 50}});
+    const Screen& second = *pair.display.screens()[1];
+    CHECK(outputs.view_on(second, before).part == Box{{120, 0}, {200, 50}});
+    CHECK_FALSE(outputs.view_beyond(second, before));
+    CHECK(outputs.view_on(second, {310, 50}).part == Box{{230, 0}, {310, 50}});
 }

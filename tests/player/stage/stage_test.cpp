@@ -4,6 +4,7 @@
 #include "player/display/offscreen_display.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/stage/screen_painter.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -277,4 +278,33 @@ TEST_CASE("the screens of a canvas show their parts of one wall, and nothing for
         const Screen& touched = *parts.display.screens()[static_cast<std::size_t>(finger)];
         CHECK(parts.stage->canvas_point(touched, {0.5, 0.5}) == Vec2{80.0 + 180 * finger, 90});
     }
+}
+
+TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle picture, and never black") {
+    Settings settings;
+    settings.wall = {.role = WallRole::follow, .box = "there"};
+    OffscreenDisplay display({.screens = {{160, 90}, {160, 90}}}, {}, 30);
+    Renderer renderer(1, 1);
+    const SourcePool sources({.media = {}, .store = {}});
+    ScreenPainter painter(settings, sources);
+    const auto screens = display.screens();
+    painter.set_screens({screens.begin(), screens.end()}, 0s);
+    painter.show_parts({.canvas = {160, 90},
+                        .parts = {{"there/offscreen-1", {.box = {{0, 0}, {160, 90}}}},
+                                  {"there/offscreen-2", {.box = {{180, 0}, {340, 90}}}}}});
+    int drawn = 0;
+    std::uint64_t before = 0;
+    for (auto now = 0ms; now < 1s; now += 20ms) {
+        painter.paint({.canvas = {160, 90}, .is_fade = true, .time = now}, now, renderer, false);
+        const std::uint64_t flips = screens[1]->flips();
+        if (std::exchange(before, flips) != flips) ++drawn;
+    }
+    const auto is_black = [&](std::size_t number) {
+        const Picture picture = dynamic_cast<OffscreenScreen&>(*screens[number]).picture();
+        return is_near(picture, 20, 20, black) && is_near(picture, 80, 45, black) &&
+               is_near(picture, 140, 70, black);
+    };
+    CHECK(is_black(0));
+    CHECK_FALSE(is_black(1));
+    CHECK(drawn == 10);  // the idle picture moves
 }

@@ -391,12 +391,27 @@ TEST_CASE("a tapestry in place of the wall is told to all boxes, and the wall co
     CHECK(house.followed(1).tapestry() == nullptr);
 }
 
+TEST_CASE("until a wall is laid out for a canvas that has grown, all boxes keep their parts of the old one") {
+    SharedHouse house({.seed = 12, .followers = 1});
+    house.run(3s);
+    const Vec2 canvas = house.led().parts().canvas;
+    const Box half{{canvas.x / 2, 0}, canvas};
+    const ActParts before{.canvas = canvas, .parts = {{"f0/a", {.box = half}}}};
+    const ActParts now{.canvas = canvas * 2, .parts = {{"f0/a", {.box = moved(half, canvas)}}}};
+    house.led().set_parts({now, before});
+    house.run(1s);
+    REQUIRE(house.followed(1).shown() != nullptr);
+    CHECK(house.followed(1).shown()->canvas == canvas);
+    CHECK(house.followed(1).shown()->parts == before.parts);
+}
+
 TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some stay while the wall changes") {
     SharedHouse house({.seed = 8, .followers = 1});
     const Box left{{0, 0}, {630, 720}};
     const Box right{{650, 0}, {1280, 720}};
     house.led().set_canvas(canvas_of({1280, 720}, {left, right}));
-    house.led().set_parts({{"lead/a", {.box = left}}, {"f0/a", {.box = right}}});
+    house.led().set_parts(
+        {{.canvas = {1280, 720}, .parts = {{"lead/a", {.box = left}}, {"f0/a", {.box = right}}}}});
     house.run(6s);
     int late = 0;  // frames after which the follower hears of a change
     int standing = 0;
