@@ -29,7 +29,6 @@ constexpr double max_resizing = 0.35;  // ln(scale) relative to the base
 constexpr double min_resizing = -0.5;
 constexpr double first_temperature = 0.01;
 constexpr double rounding_gain = 1e-9;  // a smaller one is rounding, and no reason to leave a place
-constexpr std::size_t max_items = 48;   // more pictures fill the canvas by themselves
 
 /// The range of samples m that have `from` <= m < `to`. There are `samples` samples on [origin, origin +
 /// size), at equal distances; the outermost lie near its ends, where a thin band would be seen.
@@ -396,7 +395,7 @@ double mean_way(const PackingProblem& problem, const FillingTargets& targets, st
 
 Arrangement fill_gaps(PackingProblem& problem, const FillingTargets& targets, const Arrangement& start,
                       Random& random, SearchBudget& budget) {
-    if (problem.size() == 0 || problem.size() > max_items) return start;
+    if (problem.size() == 0 || problem.size() > max_filled) return start;
 
     constexpr std::array<double, max_annealings> free = {0.97, 0.95, 0.9};
     constexpr std::array<double, 2> calm = {0.99, 0.97};

@@ -17,6 +17,9 @@ double unfilled_share(const PackingProblem& problem, std::span<const Box> frames
 double exact_unfilled_share(const PackingProblem& problem, std::span<const Box> frames,
                             const Arrangement& arrangement);
 
+/// More pictures fill the canvas by themselves.
+constexpr std::size_t max_filled = 48;
+
 /// The most annealings from one start.
 constexpr std::size_t max_annealings = 3;
 

@@ -377,7 +377,7 @@ Layout without_hole(const PlanRequest& request, const PlanWatch& watch, Layout l
     constexpr double min_gain_of_all = 0.05;
     if (!request.fills || request.is_coarse || request.order == LayoutOrder::reading) return layout;
     const PackingProblem problem = problem_of(request);
-    if (is_for_few(problem)) return layout;
+    if (is_for_few(problem) || problem.size() > max_filled) return layout;
     const std::vector<Box> frames = frames_of(request, problem);
     double hole = hole_of(problem, frames, layout);
     if (hole <= max_hole || !can_be_filled(problem, frames)) return layout;
