@@ -164,6 +164,8 @@ std::map<std::string, ActPart> OutputCanvas::act_parts(const SharedCanvas& share
     for (const auto& [name, part] : shared.parts)
         parts[name.find('/') == std::string::npos ? own + name : name] = {
             .box = part.box, .turned = degrees_of(part.rotation)};
+    for (const OutputPlace& place : words_.places)  // of other boxes that are not there yet
+        if (place.output.find('/') != std::string::npos) parts.try_emplace(place.output);
     return parts;
 }
 
@@ -218,6 +220,8 @@ View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
         return letterboxed(screen.width(), screen.height(), view, canvas);
     view.rotation = part->second.rotation;
     view.part = part->second.box;
+    if (view.part->is_empty())  // it was not there yet: beside the canvas
+        view.part = Box{canvas_size(screen.width(), screen.height(), view) * -1, {0, 0}};
     return letterboxed(screen.width(), screen.height(), view, canvas);
 }
 
@@ -227,7 +231,7 @@ std::optional<ComingView> OutputCanvas::view_beyond(const Screen& screen, Vec2 c
     if (!view.part || intersection(*view.part, {edge * -1, canvas + edge}) == *view.part) return std::nullopt;
     Box all = *view.part;
     for (const auto& [name, part] : shared_of(canvas).parts)
-        all = united(all, part.box);
+        if (!part.box.is_empty()) all = united(all, part.box);
     view.part = moved(*view.part, all.min * -1);
     return ComingView{.canvas = all.max - all.min, .origin = all.min, .view = view};
 }

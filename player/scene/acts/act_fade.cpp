@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace vitrine::player {
@@ -15,12 +16,14 @@ using std::chrono::nanoseconds;
 constexpr auto fade_time = std::chrono::milliseconds(800);
 constexpr double last_part = 0.25;  // of the fade: in it goes what was shown before
 
-/// The same items elsewhere on the canvas.
-std::vector<DrawItem> moved_by(std::vector<DrawItem> items, Vec2 way) {
-    if (way == Vec2{}) return items;
+/// The same items elsewhere on the canvas. @param seen  if any: the part that is left of them
+std::vector<DrawItem> transformed(std::vector<DrawItem> items, const Placement& by,
+                                  const std::optional<Polygon>& seen) {
+    if (by == Placement{}) return items;
     for (DrawItem& item : items) {
-        item.placement.offset = item.placement.offset + way;
-        item.cell = std::make_shared<const Cell>(scaled_cell(*item.cell, 1, way));
+        item.placement = composed(item.placement, by);
+        const Cell cell = scaled_cell(*item.cell, by.scale, by.offset);
+        item.cell = std::make_shared<const Cell>(seen ? inside_part(cell, {&*seen, 1}) : cell);
     }
     return items;
 }
@@ -36,15 +39,24 @@ LeavingFrame played_on(LeavingFrame frame, const std::vector<DrawItem>& others, 
 
 }  // namespace
 
-void ActFade::begin(Vec2 view, nanoseconds now) {
+void ActFade::begin(Vec2 view, const Placement& place, nanoseconds now) {
+    const Vec2 last_view = std::exchange(last_view_, view);
+    const Placement way{place.scale, place.offset + view - last_view * place.scale};
+    const bool is_elsewhere = place != Placement{};
+    std::optional<Polygon> seen;  // of the canvas so far; shots of a wall that pans go beyond it
+    if (is_elsewhere)
+        seen =
+            vitrine::transformed(to_polygon(Box{last_view, last_view + last_canvas_}), way.scale, way.offset);
     before_ = std::exchange(last_, {});
-    before_.items = moved_by(std::move(before_.items), view - std::exchange(last_view_, view));
+    before_.items = transformed(std::move(before_.items), way, seen);
+    if (is_elsewhere) before_.idle = 1;
     since_ = now;
 }
 
 void ActFade::draw(Frame& frame, nanoseconds now) {
     last_ = {.items = frame.items, .idle = frame.idle};
     last_view_ = frame.view;
+    last_canvas_ = frame.canvas;
     if (!since_) return;
     const double progress =
         std::chrono::duration<double>(now - *since_) / std::chrono::duration<double>(fade_time);

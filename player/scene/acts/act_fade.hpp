@@ -13,9 +13,10 @@ namespace vitrine::player {
 /// films play on meanwhile. Knows no clock.
 class ActFade {
   public:
-    /// Lets the last frame fade out.
-    /// @param view  of the frames to come: canvas point at the top left, px
-    void begin(Vec2 view, std::chrono::nanoseconds now);
+    /// Lets the last frame fade out. On another canvas the idle picture is beside it.
+    /// @param view   of the frames to come: canvas point at the top left, px
+    /// @param place  of the canvas so far on that of the frames to come
+    void begin(Vec2 view, const Placement& place, std::chrono::nanoseconds now);
 
     /// Draws what fades out into the next frame, and keeps this.
     void draw(Frame& frame, std::chrono::nanoseconds now);
@@ -26,6 +27,7 @@ class ActFade {
   private:
     LeavingFrame last_;                              // the last frame
     Vec2 last_view_;                                 // canvas point at its top left
+    Vec2 last_canvas_;                               // its canvas, px
     LeavingFrame before_;                            // what fades out
     std::optional<std::chrono::nanoseconds> since_;  // none: nothing fades out
 };

@@ -105,7 +105,7 @@ void FollowedWall::take_waiting() {
         }
         if (waiting_->folder) waiting_->folder->began.reset();
         const Vec2 view = act_frame(*waiting_, leaders_time(*waiting_, shared)).view;
-        fade_.begin(view, now_);
+        fade_.begin(view, place_on(*shown_, *waiting_), now_);
     }
     names_.place_anew();
     shown_ = std::exchange(waiting_, std::nullopt);

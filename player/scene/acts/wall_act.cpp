@@ -75,11 +75,21 @@ Frame act_frame(const WallAct& act, const Frame& wall, std::chrono::nanoseconds 
                          .share = folder.share(now)});
 }
 
+Placement place_on(const WallAct& act, const WallAct& other) {
+    for (const auto& [name, part] : act.parts) {
+        const auto same = other.parts.find(name);
+        if (same == other.parts.end() || part.box.is_empty() || same->second.box.is_empty()) continue;
+        const double scale = same->second.box.width() / part.box.width();
+        return {scale, same->second.box.min - part.box.min * scale};
+    }
+    return place_on(Canvas(act.canvas), Canvas(other.canvas));
+}
+
 std::vector<Box> bezels_of(const WallAct& act) {
     const Box whole{{0, 0}, act.canvas};
     std::vector<Box> outputs;
     for (const auto& [name, part] : act.parts)
-        if (intersection(part.box, whole) == part.box) outputs.push_back(part.box);
+        if (!part.box.is_empty() && intersection(part.box, whole) == part.box) outputs.push_back(part.box);
     return canvas_of(act.canvas, std::move(outputs)).bands;
 }
 

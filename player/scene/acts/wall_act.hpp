@@ -21,7 +21,7 @@ namespace vitrine::player {
 
 /// An output's part of the canvas of a wall of several boxes.
 struct ActPart {
-    Box box;         // canvas px
+    Box box;         // canvas px; empty: the output was not there yet
     int turned = 0;  // degrees clockwise by which the output hangs turned: 0, 90, 180 or 270
 
     bool operator==(const ActPart&) const = default;
@@ -90,6 +90,10 @@ struct WallAct {
     std::optional<ActFolder> folder = {};  // none: no folder is open
     std::optional<ActPan> pan = {};        // none: the wall does not pan; one that does has no change
 };
+
+/// The place of an act's canvas on that of another one: each output that both have stays where it is. If they
+/// have none in common, the canvas is as large as it fits, in the middle.
+Placement place_on(const WallAct& act, const WallAct& other);
 
 /// The wall after the change.
 const std::vector<PlacedShot>& last_wall(const WallAct& act);

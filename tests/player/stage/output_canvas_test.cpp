@@ -162,6 +162,7 @@ TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keep
     const std::vector<Screen*> own{pair.display.screens()[0]};
     outputs.follow(own, 0s);
     CHECK(outputs.shared().parts.size() == 1);
+    CHECK(outputs.parts().at(0).parts.at("there/DP-1").box.is_empty());
     others->outputs = {{"there/DP-1", 80, 50, {}}};
     outputs.follow(own, 1s);
     CHECK(Vec2(outputs.shared().canvas) == Vec2{160, 80});
@@ -194,6 +195,8 @@ TEST_CASE("a box that follows shows the parts that an act gives it") {
     CHECK(view.part == Box{{200, 50}, {300, 100}});
     CHECK(view.rotation == Rotation::half);
     CHECK_FALSE(pair.outputs.view_on(*pair.display.screens()[1], {300, 100}).part);
+    CHECK_FALSE(pair.outputs.view_beyond(*pair.display.screens()[0], {300, 100}));
+    CHECK_FALSE(pair.outputs.view_beyond(*pair.display.screens()[1], {300, 100}));
 }
 
 TEST_CASE(

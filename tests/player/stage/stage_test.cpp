@@ -283,7 +283,7 @@ TEST_CASE("the screens of a canvas show their parts of one wall, and nothing for
 TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle picture, and never black") {
     Settings settings;
     settings.wall = {.role = WallRole::follow, .box = "there"};
-    OffscreenDisplay display({.screens = {{160, 90}, {160, 90}}}, {}, 30);
+    OffscreenDisplay display({.screens = {{160, 90}, {160, 90}, {160, 90}}}, {}, 30);
     Renderer renderer(1, 1);
     const SourcePool sources({.media = {}, .store = {}});
     ScreenPainter painter(settings, sources);
@@ -291,7 +291,8 @@ TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle pictu
     painter.set_screens({screens.begin(), screens.end()}, 0s);
     painter.show_parts({.canvas = {160, 90},
                         .parts = {{"there/offscreen-1", {.box = {{0, 0}, {160, 90}}}},
-                                  {"there/offscreen-2", {.box = {{180, 0}, {340, 90}}}}}});
+                                  {"there/offscreen-2", {.box = {{180, 0}, {340, 90}}}},
+                                  {"there/offscreen-3", {}}}});
     int drawn = 0;
     std::uint64_t before = 0;
     for (auto now = 0ms; now < 1s; now += 20ms) {
@@ -306,5 +307,6 @@ TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle pictu
     };
     CHECK(is_black(0));
     CHECK_FALSE(is_black(1));
-    CHECK(drawn == 10);  // the idle picture moves
+    CHECK_FALSE(is_black(2));  // it was not there when the act was made
+    CHECK(drawn == 10);        // the idle picture moves
 }

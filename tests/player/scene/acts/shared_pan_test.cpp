@@ -98,6 +98,34 @@ TEST_CASE("a box that joins a panning wall is in step with its first picture") {
     CHECK(share_in_step(house.boxes[0], house.boxes[2], first->truth) >= 0.999);
 }
 
+TEST_CASE("as a display joins a panning wall at the left, what was seen fades out where it hangs") {
+    SharedHouse::Options options = panning(9);
+    options.followers = 1;
+    SharedHouse house(options);
+    Show& lead = *house.boxes[0].show;
+    const Box whole{{0, 0}, {1280, 720}};
+    const Box right = moved(whole, {1300, 0});
+    const ActParts before{.canvas = whole.max, .parts = {{"lead/a", {.box = whole}}}};
+    const ActParts now{.canvas = right.max,
+                       .parts = {{"lead/a", {.box = right}}, {"late/a", {.box = whole}}}};
+    lead.set_canvas(canvas_of(before.canvas, {whole}));
+    lead.led()->set_parts({before});
+    house.run(8s);
+    Canvas wider = canvas_of(now.canvas, {whole, right});
+    wider.origin = {-1300, 0};
+    lead.set_canvas(wider);
+    lead.led()->set_parts({now, before});
+    const TestBox& follower = house.boxes[1];
+    for (int k = 0; k < 600 && follower.last.canvas == before.canvas; ++k) {
+        const std::string path = path_of_first(follower);
+        const double place = *place_of(follower, path);
+        house.run(20ms);
+        const double way = follower.last.canvas == before.canvas ? 0 : 1300;
+        CHECK(std::abs(place_of(follower, path).value_or(-1e6) - place - way) < 0.2 * speed);
+    }
+    CHECK(follower.last.canvas == now.canvas);
+}
+
 TEST_CASE("a finger moves a panning wall on all boxes, and they go on together") {
     SharedHouse house(panning(5));
     house.run(20s);
