@@ -41,7 +41,8 @@ void draw_film(Frame& frame, const FilmMoment& film) {
                            .picture = film.shot.picture,
                            .active = film.shot.active,
                            .local = frame.time - film.began,
-                           .alpha = alpha});
+                           .alpha = alpha,
+                           .slide_share = 0});
 }
 
 void TouchedFilm::begin(const PlacedShot& photo, SourceId source, std::chrono::nanoseconds now) {

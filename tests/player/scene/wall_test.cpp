@@ -625,6 +625,7 @@ TEST_CASE("the film of a tapped Live Photo plays once above it, once that is as 
         CHECK(above.source != photo_source);
         CHECK(above.alpha == 1);
         CHECK(above.local > 500ms);
+        CHECK(above.slide_share == 0);
         CHECK(above.placement.scale == doctest::Approx(1280.0 / 1920));
         CHECK(house.playing.at(above.source).kind == MediaKind::film);
         if (returns_early)
