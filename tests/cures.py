@@ -273,7 +273,7 @@ CURES = [
     Cure("a shot that was flicked out and flashes as it goes", "player/scene/wall_touch.cpp",
          "(wall.is_changing && lifted.state", "(false && lifted.state", "scene_test.wall_test"),
     Cure("a box that joins and is black until the wall is laid out for it", "player/stage/screen_painter.cpp",
-         "outputs_.view_beyond(screen, frame.canvas)) {", "outputs_.view_beyond(screen, frame.canvas); coming && false) {",
+         "= outputs_.is_beyond(screen, frame.canvas);", "= false && outputs_.is_beyond(screen, frame.canvas);",
          "stage_test.stage_test"),
     Cure("boxes that show other parts of the wall as another one joins", "player/scene/acts/led_show.cpp",
          "std::ranges::find(parts_, act.canvas, &ActParts::canvas)", "parts_.begin()", "acts_test.shared_wall_test"),

@@ -71,6 +71,16 @@ KnownOutput known_output(const Settings& settings, const Screen& screen) {
             .view = view_of(settings, screen.width(), screen.height())};
 }
 
+/// Adds the outputs that are new on a canvas to the one before, where they hang.
+void add_new_outputs(SharedCanvas& before, const SharedCanvas& now) {
+    if (before.parts.empty()) return;
+    const auto [scale, offset] = place_on(before.canvas, now.canvas);
+    for (const auto& [name, part] : now.parts)
+        before.parts.try_emplace(name, OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
+                                                          near_whole((part.box.max - offset) * (1 / scale))},
+                                                  .rotation = part.rotation});
+}
+
 }  // namespace
 
 SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs) {
@@ -106,20 +116,6 @@ std::string overlap_of(const SharedCanvas& shared) {
         }
     return {};
 }
-
-namespace {
-
-/// Adds the outputs that are new on a canvas to the one before, where they hang.
-void add_new_outputs(SharedCanvas& before, const SharedCanvas& now) {
-    if (before.parts.empty()) return;
-    const auto [scale, offset] = place_on(before.canvas, now.canvas);
-    for (const auto& [name, part] : now.parts)
-        before.parts.try_emplace(name, OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
-                                                          near_whole((part.box.max - offset) * (1 / scale))},
-                                                  .rotation = part.rotation});
-}
-
-}  // namespace
 
 void OutputCanvas::read_words() {
     if (text_ == settings_.output.canvas) return;
@@ -212,28 +208,38 @@ const SharedCanvas& OutputCanvas::shared_of(Vec2 canvas) const {
     return now_.canvas != canvas && before_.canvas == canvas ? before_ : now_;
 }
 
-View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
-    View view = view_of(settings_, screen.width(), screen.height());
+/// The part that a screen shows of a canvas. nullptr: none, so it shows all of it.
+const OutputPart* OutputCanvas::part_of(const Screen& screen, Vec2 canvas) const {
     const SharedCanvas& shared = shared_of(canvas);
     const auto part = shared.parts.find(screen.name());
-    if (part == shared.parts.end() || shared.canvas != canvas)
-        return letterboxed(screen.width(), screen.height(), view, canvas);
-    view.rotation = part->second.rotation;
-    view.part = part->second.box;
-    if (view.part->is_empty())  // it was not there yet: beside the canvas
-        view.part = Box{canvas_size(screen.width(), screen.height(), view) * -1, {0, 0}};
+    return part == shared.parts.end() || shared.canvas != canvas ? nullptr : &part->second;
+}
+
+View OutputCanvas::view_on(const Screen& screen, Vec2 canvas) const {
+    View view = view_of(settings_, screen.width(), screen.height());
+    if (const OutputPart* const part = part_of(screen, canvas)) {
+        view.rotation = part->rotation;
+        view.part = part->box;
+        if (part->box.is_empty())  // it was not there yet: beside the canvas
+            view.part = Box{canvas_size(screen.width(), screen.height(), view) * -1, {0, 0}};
+    }
     return letterboxed(screen.width(), screen.height(), view, canvas);
 }
 
-std::optional<ComingView> OutputCanvas::view_beyond(const Screen& screen, Vec2 canvas) const {
-    View view = view_on(screen, canvas);
+bool OutputCanvas::is_beyond(const Screen& screen, Vec2 canvas) const {
+    const OutputPart* const part = part_of(screen, canvas);
+    if (part == nullptr) return false;
     const Vec2 edge{min_beyond, min_beyond};
-    if (!view.part || intersection(*view.part, {edge * -1, canvas + edge}) == *view.part) return std::nullopt;
-    Box all = *view.part;
+    return part->box.is_empty() || intersection(part->box, {edge * -1, canvas + edge}) != part->box;
+}
+
+ComingView OutputCanvas::coming_view(const Screen& screen, Vec2 canvas) const {
+    View view = view_on(screen, canvas);
+    Box all = seen_part(view, canvas);
     for (const auto& [name, part] : shared_of(canvas).parts)
         if (!part.box.is_empty()) all = united(all, part.box);
-    view.part = moved(*view.part, all.min * -1);
-    return ComingView{.canvas = all.max - all.min, .origin = all.min, .view = view};
+    view.part = moved(seen_part(view, canvas), all.min * -1);
+    return {.canvas = all.max - all.min, .origin = all.min, .view = view};
 }
 
 GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -59,7 +58,7 @@ struct SharedCanvas {
     }
 };
 
-/// What a screen will show once its canvas is laid out.
+/// A screen that waits until a wall is laid out for its canvas shows the idle picture in this view.
 struct ComingView {
     Vec2 canvas;  // its size, px of the canvas that is seen so far
     Vec2 origin;  // its top left corner there
@@ -104,9 +103,11 @@ class OutputCanvas {
     /// output that is new since then has its part where it hangs, which may be beyond that canvas.
     View view_on(const Screen& screen, Vec2 canvas) const;
 
-    /// The view of a screen that hangs beyond a frame's canvas, in whole or in part, on the canvas to come.
-    /// None: the screen is on the frame's canvas.
-    std::optional<ComingView> view_beyond(const Screen& screen, Vec2 canvas) const;
+    /// True if a screen hangs beyond a frame's canvas, in whole or in part: it waits for the canvas to come.
+    bool is_beyond(const Screen& screen, Vec2 canvas) const;
+
+    /// The view of such a screen on the canvas to come.
+    ComingView coming_view(const Screen& screen, Vec2 canvas) const;
 
     /// The facts that a guide on a screen draws.
     GuideView guide_view(const Screen& screen, Vec2 canvas) const;
@@ -121,6 +122,7 @@ class OutputCanvas {
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
     const SharedCanvas& shared_of(Vec2 canvas) const;
+    const OutputPart* part_of(const Screen& screen, Vec2 canvas) const;
     std::map<std::string, ActPart> act_parts(const SharedCanvas& shared) const;
 
     const Settings& settings_;  // outlive this

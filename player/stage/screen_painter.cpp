@@ -54,9 +54,8 @@ void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Rend
                           bool waits_for_wall) {
     const bool is_new = upload(frame, renderer);
     const bool is_idle = shows_idle(frame, renderer);
-    const bool is_beyond = std::ranges::any_of(screens_, [&](const Screen* screen) {
-        return outputs_.view_beyond(*screen, frame.canvas).has_value();
-    });
+    const bool is_beyond = std::ranges::any_of(
+        screens_, [&](const Screen* screen) { return outputs_.is_beyond(*screen, frame.canvas); });
     number(frame, is_new, is_idle || is_beyond);
     if (waits_for_wall && is_idle) return;
     for (Screen* screen : screens_) {
@@ -99,30 +98,33 @@ void ScreenPainter::show_guides(bool is_on) {
     ++number_;
 }
 
-/// The guide of a screen, above its part of the canvas.
-WordItem ScreenPainter::guide(const Frame& frame, const Screen& screen) {
+/// The guide of a screen, above its part of a canvas. @param origin  of the canvas in what is drawn, px
+WordItem ScreenPainter::guide(const Screen& screen, Vec2 canvas, Vec2 origin) {
     Guide& guide = guides_[screen.name()];
-    GuideView view = outputs_.guide_view(screen, frame.canvas);
+    GuideView view = outputs_.guide_view(screen, canvas);
     if (!guide.picture || guide.view != view) guide.picture = canvas_guide(view);
     guide.view = std::move(view);
-    return {.picture = guide.picture, .place = moved(guide.view.part, frame.view)};
+    return {.picture = guide.picture, .place = moved(guide.view.part, origin)};
 }
 
 void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer) {
-    if (const auto coming = outputs_.view_beyond(screen, frame.canvas)) {
-        Frame idle{.canvas = coming->canvas, .idle = 1, .time = frame.time};
-        if (has_guides_) {
-            idle.words.push_back(guide(frame, screen));
-            idle.words.back().place = moved(guides_.at(screen.name()).view.part, coming->origin * -1);
-        }
-        renderer.aim(screen.width(), screen.height(), coming->view);
-        return renderer.draw(idle);
+    const bool is_beyond = outputs_.is_beyond(screen, frame.canvas);
+    View view = outputs_.view_on(screen, frame.canvas);
+    if (!is_beyond && !has_guides_) {
+        renderer.aim(screen.width(), screen.height(), view);
+        return renderer.draw(frame);
     }
-    renderer.aim(screen.width(), screen.height(), outputs_.view_on(screen, frame.canvas));
-    if (!has_guides_) return renderer.draw(frame);
-    Frame guided = frame;
-    guided.words.push_back(guide(frame, screen));
-    renderer.draw(guided);
+    Frame own = frame;
+    Vec2 origin = frame.view;
+    if (is_beyond) {
+        const ComingView coming = outputs_.coming_view(screen, frame.canvas);
+        own = {.canvas = coming.canvas, .idle = 1, .time = frame.time};
+        view = coming.view;
+        origin = coming.origin * -1;
+    }
+    if (has_guides_) own.words.push_back(guide(screen, frame.canvas, origin));
+    renderer.aim(screen.width(), screen.height(), view);
+    renderer.draw(own);
 }
 
 void ScreenPainter::forget(SourceId source, Renderer& renderer) {

@@ -75,7 +75,7 @@ class ScreenPainter {
     bool upload(const Frame& frame, Renderer& renderer);
     void number(const Frame& frame, bool is_new, bool is_idle);
     void draw(const Frame& frame, Screen& screen, Renderer& renderer);
-    WordItem guide(const Frame& frame, const Screen& screen);
+    WordItem guide(const Screen& screen, Vec2 canvas, Vec2 origin);
 
     struct Guide {
         GuideView view;

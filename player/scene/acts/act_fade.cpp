@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace vitrine::player {
@@ -16,16 +15,19 @@ using std::chrono::nanoseconds;
 constexpr auto fade_time = std::chrono::milliseconds(800);
 constexpr double last_part = 0.25;  // of the fade: in it goes what was shown before
 
-/// The same items elsewhere on the canvas. @param seen  if any: the part that is left of them
-std::vector<DrawItem> transformed(std::vector<DrawItem> items, const Placement& by,
-                                  const std::optional<Polygon>& seen) {
-    if (by == Placement{}) return items;
+/// Places the items elsewhere.
+void place_elsewhere(std::vector<DrawItem>& items, const Placement& way) {
+    if (way == Placement{}) return;
     for (DrawItem& item : items) {
-        item.placement = composed(item.placement, by);
-        const Cell cell = scaled_cell(*item.cell, by.scale, by.offset);
-        item.cell = std::make_shared<const Cell>(seen ? inside_part(cell, {&*seen, 1}) : cell);
+        item.placement = composed(item.placement, way);
+        item.cell = std::make_shared<const Cell>(scaled_cell(*item.cell, way.scale, way.offset));
     }
-    return items;
+}
+
+/// Cuts off what the items show outside an outline.
+void cut_to(std::vector<DrawItem>& items, const Polygon& outline) {
+    for (DrawItem& item : items)
+        item.cell = std::make_shared<const Cell>(inside_part(*item.cell, {&outline, 1}));
 }
 
 /// A frame some time later: its films play on, in step with the same films in another frame.
@@ -41,15 +43,13 @@ LeavingFrame played_on(LeavingFrame frame, const std::vector<DrawItem>& others, 
 
 void ActFade::begin(Vec2 view, const Placement& place, nanoseconds now) {
     const Vec2 last_view = std::exchange(last_view_, view);
-    const Placement way{place.scale, place.offset + view - last_view * place.scale};
-    const bool is_elsewhere = place != Placement{};
-    std::optional<Polygon> seen;  // of the canvas so far; shots of a wall that pans go beyond it
-    if (is_elsewhere)
-        seen =
-            vitrine::transformed(to_polygon(Box{last_view, last_view + last_canvas_}), way.scale, way.offset);
     before_ = std::exchange(last_, {});
-    before_.items = transformed(std::move(before_.items), way, seen);
-    if (is_elsewhere) before_.idle = 1;
+    place_elsewhere(before_.items, {place.scale, place.offset + view - last_view * place.scale});
+    if (place != Placement{}) {  // shots of a wall that pans go beyond the canvas so far
+        const Box seen{{0, 0}, last_canvas_};
+        cut_to(before_.items, transformed(to_polygon(seen), place.scale, place.offset + view));
+        before_.idle = 1;
+    }
     since_ = now;
 }
 

@@ -52,7 +52,7 @@ class LedShow : public ForwardingShow {
     /// The news since the last call.
     LedNews take_news();
 
-    /// Sets the parts that outputs show of the canvas, and of the one before as long as that is seen.
+    /// Sets the parts that outputs show of the canvas, and of the one before, which may still be seen.
     /// @param parts  the newest first
     void set_parts(std::vector<ActParts> parts);
 

@@ -195,8 +195,8 @@ TEST_CASE("a box that follows shows the parts that an act gives it") {
     CHECK(view.part == Box{{200, 50}, {300, 100}});
     CHECK(view.rotation == Rotation::half);
     CHECK_FALSE(pair.outputs.view_on(*pair.display.screens()[1], {300, 100}).part);
-    CHECK_FALSE(pair.outputs.view_beyond(*pair.display.screens()[0], {300, 100}));
-    CHECK_FALSE(pair.outputs.view_beyond(*pair.display.screens()[1], {300, 100}));
+    CHECK_FALSE(pair.outputs.is_beyond(*pair.display.screens()[0], {300, 100}));
+    CHECK_FALSE(pair.outputs.is_beyond(*pair.display.screens()[1], {300, 100}));
 }
 
 TEST_CASE(
@@ -215,6 +215,6 @@ TEST_CASE(
     CHECK(parts.at("here/offscreen-2").box == Box{{120, 0}, {200, 50}});
     const Screen& second = *pair.display.screens()[1];
     CHECK(outputs.view_on(second, before).part == Box{{120, 0}, {200, 50}});
-    CHECK_FALSE(outputs.view_beyond(second, before));
+    CHECK_FALSE(outputs.is_beyond(second, before));
     CHECK(outputs.view_on(second, {310, 50}).part == Box{{230, 0}, {310, 50}});
 }
