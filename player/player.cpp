@@ -170,7 +170,9 @@ PlayerActions Player::actions() {
 
 void Player::begin_stages() {
     give_files();
-    if (options_.tapestry) stages_->first().show_tapestry(*options_.tapestry, std::nullopt);
+    if (!options_.tapestry) return;
+    for (const auto& stage : stages_->all())
+        stage->show_tapestry(*options_.tapestry, std::nullopt);
 }
 
 void Player::run() {
@@ -238,7 +240,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
         if (options_.rehearsal->advance(time)) files_->apply_filters();
         for (const InputEvent& event : options_.rehearsal->next_touches()) {
             display_->wake(time);
-            if (is_seen) stages_->first().handle_input(event);
+            if (is_seen) first_seen(*stages_).handle_input(event);
         }
     }
     if (input_devices_->has_input()) display_->wake(time);
@@ -260,9 +262,9 @@ void Player::play_sound(std::chrono::nanoseconds time) {
         log::write(event.is_trouble ? log::Level::warning : log::Level::info, "sound: " + event.text);
 }
 
-/// Takes the picture of the first wall for the status page, if the wall is shown.
+/// Takes the picture of the first wall that is shown for the status page.
 void Player::take_wall_picture(std::chrono::nanoseconds time) {
-    const Stage& stage = stages_->first();
+    const Stage& stage = first_seen(*stages_);
     if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
     wall_picture_->write(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
 }

@@ -609,6 +609,8 @@ CURES = [
          "    if (!reading.is_right) {\n        is_right_ = false;\n        return;\n    }\n", "", "acts_test.wall_clock_test"),
     Cure("an act that names any file", "player/scene/acts/shot_json.cpp",
          '    if (!is_store_name(stored.file)) throw ActFault("an act names a file that is no file of a store");\n', "", "acts_test.act_json_test"),
+    Cure("no picture of the wall, if each display has a folder of its own", "player/stage/stages.cpp",
+         "return seen != stages.all().end() ? **seen : stages.first();", "return (void)seen, stages.first();", "pipeline.wall", ("vitrine-player",)),
 ]
 
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -159,6 +160,12 @@ void Stages::log_counts() {
         log::info("wall of {} {}{}", logged->second, logged->second == 1 ? "item" : "items",
                   stage->files().folder().empty() ? "" : fmt::format(" of '{}'", stage->files().folder()));
     }
+}
+
+Stage& first_seen(Stages& stages) {
+    const auto has_screen = [](const auto& stage) { return !stage->screens().empty(); };
+    const auto seen = std::ranges::find_if(stages.all(), has_screen);
+    return seen != stages.all().end() ? **seen : stages.first();
 }
 
 }  // namespace vitrine::player

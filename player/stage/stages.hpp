@@ -101,4 +101,8 @@ class Stages {
     std::map<std::string, std::size_t> logged_;  // folder -> the last logged number of shots on its wall
 };
 
+/// The first of the stages that a screen shows: that of outputs without a folder of their own, then the
+/// others in the order of their outputs' names. Without a screen: the first of all.
+Stage& first_seen(Stages& stages);
+
 }  // namespace vitrine::player

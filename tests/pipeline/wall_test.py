@@ -154,6 +154,28 @@ class Wall(unittest.TestCase):
             self.assertEqual(set(edge), {0}, "the margin is black")
         self.assertEqual(set(second[:320 * 3 * 60]), {0}, "a black bar above what is as wide as the screen")
 
+    def test_if_each_screen_has_its_own_folder_the_first_is_touched_and_drawn_for_the_status_page(self):
+        for folder, names in (("hall", ["blue"]), ("lobby", ["red", "green"])):
+            (self.root / folder).mkdir()
+            for name in names:
+                disc_photo(self.root / folder / f"{name}.png", COLOURS[name])
+        self.analyse()
+        each = ("--output.folders", "offscreen-1=lobby, offscreen-2=hall")
+        screens = f"{WIDTH}x{HEIGHT}+320x180"
+
+        self.play("--duration", "5s", *each, screen=screens)
+
+        page = seen_pictures.pictures_of(self.state / "wall.jpg", 960, 540)[0]
+        self.assertGreater(share_near(page, COLOURS["red"]), 0.01, "the wall of the first screen")
+        self.assertLess(share_near(page, COLOURS["blue"]), 0.001)
+
+        script = Path(self.folder.name) / "touches.txt"
+        script.write_text("2 tap 320 180\n")
+        pictures, last = self.play("--duration", "4s", "--rehearse", script, *each, screen=screens)
+        before = [share_near(pictures[15], COLOURS[name]) for name in ("red", "green")]
+        after = [share_near(last, COLOURS[name]) for name in ("red", "green")]
+        self.assertTrue(any(a > 1.5 * b for a, b in zip(after, before)), "the photo that was tapped is large")
+
     def test_a_plan_covers_the_canvas_and_cuts_no_region(self):
         for i, (name, colour) in enumerate(COLOURS.items()):
             disc_photo(self.root / f"{name}.png", colour, 200 + 40 * i, 180)

@@ -44,6 +44,20 @@ TEST_CASE("the screen of an output with a folder goes to the stage of that folde
     CHECK(stages.all()[1]->screens().empty());
 }
 
+TEST_CASE("the first stage that is seen has a screen, if each output has a folder of its own") {
+    Settings settings;
+    settings.output.folders = "offscreen-1=hall, offscreen-2=lobby";
+    OffscreenDisplay display({.screens = {{160, 120}, {160, 120}}}, {}, 30);
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    Stages stages(settings, sources, false);
+    CHECK(&first_seen(stages) == &stages.first());
+    const auto screens = display.screens();
+    stages.set_screens(screens, 0s);
+    CHECK_FALSE(first_seen(stages).screens().empty());
+    stages.set_screens(screens.subspan(1), 1s);
+    CHECK(first_seen(stages).files().folder() == "lobby");
+}
+
 TEST_CASE("stages that are made anew have no files yet") {
     const Settings settings = lobby_on_the_second();
     OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
