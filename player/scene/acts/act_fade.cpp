@@ -51,6 +51,7 @@ void ActFade::begin(Vec2 view, const Placement& place, nanoseconds now) {
         before_.idle = 1;
     }
     since_ = now;
+    canvas_.reset();
 }
 
 void ActFade::draw(Frame& frame, nanoseconds now) {
@@ -58,9 +59,10 @@ void ActFade::draw(Frame& frame, nanoseconds now) {
     last_view_ = frame.view;
     last_canvas_ = frame.canvas;
     if (!since_) return;
+    if (!canvas_) canvas_ = frame.canvas;
     const double progress =
         std::chrono::duration<double>(now - *since_) / std::chrono::duration<double>(fade_time);
-    if (progress < 1)
+    if (progress < 1 && canvas_ == frame.canvas)
         fade_in(frame, played_on(before_, frame.items, now - *since_), progress, last_part);
     else
         since_.reset(), before_ = {};

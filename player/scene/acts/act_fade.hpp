@@ -10,7 +10,7 @@
 namespace vitrine::player {
 
 /// The way from what a box has shown to an act that goes on elsewhere: what was shown fades out, and its
-/// films play on meanwhile. Knows no clock.
+/// films play on meanwhile. It ends as soon as the canvas becomes another one. Knows no clock.
 class ActFade {
   public:
     /// Lets the last frame fade out. On another canvas the idle picture is beside it.
@@ -30,6 +30,7 @@ class ActFade {
     Vec2 last_canvas_;                               // its canvas, px
     LeavingFrame before_;                            // what fades out
     std::optional<std::chrono::nanoseconds> since_;  // none: nothing fades out
+    std::optional<Vec2> canvas_;                     // on which it fades out, px; none: not drawn so far
 };
 
 }  // namespace vitrine::player

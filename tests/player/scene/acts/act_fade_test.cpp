@@ -67,3 +67,19 @@ TEST_CASE("on the same canvas what fades out stays as it is, and nothing is draw
     CHECK(frame.items[0].cell == cell);
     CHECK(frame.idle == 0);
 }
+
+TEST_CASE("what fades out is gone as the canvas becomes another one") {
+    const WallAct act{.canvas = {640, 360}};
+    ActFade fade;
+    Frame frame = frame_of(whole, 1);
+    fade.draw(frame, 0s);
+    fade.begin({}, place_on(act, act), 1s);
+    frame = frame_of(whole, 2);
+    fade.draw(frame, 1100ms);
+    CHECK(frame.items.size() == 2);
+    frame = frame_of(whole, 2);
+    frame.canvas = {1300, 360};
+    fade.draw(frame, 1200ms);
+    CHECK(frame.items.size() == 1);
+    CHECK_FALSE(frame.is_fade);
+}
