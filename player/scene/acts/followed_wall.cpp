@@ -11,6 +11,7 @@ using std::chrono::nanoseconds;
 
 constexpr auto patience = std::chrono::seconds(10);           // with shots that are not there
 constexpr auto clock_patience = std::chrono::seconds(5);      // of the first act, with a clock that is wrong
+constexpr auto longest_frame = std::chrono::seconds(2);       // a longer one: no screen has shown the wall
 constexpr auto begins_late = std::chrono::milliseconds(100);  // so late a change is still seen as it is meant
 
 /// True for a later act, and for one of another run of the leader, whose clock may have been wrong.
@@ -134,6 +135,7 @@ Frame FollowedWall::next_frame() {
 }
 
 WallStep FollowedWall::step(nanoseconds now) {
+    if (now - now_ > longest_frame) waiting_since_ = now;
     now_ = now;
     WallStep step;
     sources_.show_larger(lifted_.whole_pictures());

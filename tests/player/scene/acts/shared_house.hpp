@@ -71,6 +71,7 @@ struct TestBox {
     std::unique_ptr<BoxTalk> talk;
     std::optional<WallClock> time = {};
     bool is_linked = true;
+    bool is_dark = false;  // none of its screens shows the wall
     std::int64_t next_frame = 0;
     std::map<SourceId, ShotRequest> playing = {};
     std::map<SourceId, Ns> ready_at = {};
@@ -250,7 +251,7 @@ class SharedHouse {
         }
         if (truth.count() % 1'000'000'000 == 0) ask_for_time();
         for (std::size_t i = 0; i < boxes.size(); ++i)
-            if (boxes[i].show) follow(boxes[i], i);
+            if (boxes[i].show && !boxes[i].is_dark) follow(boxes[i], i);
     }
 
     void hear(TestBox& box, const WallMessage& message) {

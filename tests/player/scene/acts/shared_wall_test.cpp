@@ -204,6 +204,19 @@ TEST_CASE("a box that has not got a shot shows the last act, says so, and comes 
     CHECK(share_in_step(house.boxes[0], box, house.truth - 3s) >= 0.99);
 }
 
+TEST_CASE("a box whose screens were dark shows the last act until it has the shots of the newest") {
+    SharedHouse house({.seed = 6});
+    house.run(8s);
+    TestBox& box = house.boxes[2];
+    box.is_dark = true;
+    house.run(30s);
+    box.is_dark = false;
+    box.slower = 500ms;
+    house.run(4s);
+    CHECK(box.gaps == 0);
+    CHECK(box.frames.back().content == house.boxes[0].frames.back().content);
+}
+
 TEST_CASE("an act that is too long for the others is not told, and the leader says so") {
     SharedHouse house({.seed = 5, .followers = 1});
     house.run(6s);
