@@ -63,8 +63,8 @@ class DisplaySession {
     /// off at this hour. Lent until the next follow_display().
     std::span<Screen* const> screens() const;
 
-    /// @pre !screens().empty()
-    Renderer& renderer() { return *renderer_; }
+    /// nullptr: there is none, and no screen.
+    Renderer* renderer() { return renderer_.get(); }
 
     /// Call when a source is retired. Does nothing without a renderer.
     void forget_source(SourceId source);

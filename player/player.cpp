@@ -50,11 +50,16 @@ bool can_draw(std::span<Screen* const> screens, bool is_late) {
     return ready == std::ssize(screens) || (ready > 0 && is_late);
 }
 
+/// True: a screen shows a wall, or one of a box that this one leads.
+bool are_seen(const Stages& stages) {
+    return std::ranges::any_of(stages.all(), [](const auto& stage) { return stage->is_seen(); });
+}
+
 /// @param is_off  the displays are off, or another program has them
 WallContent content_of(const Stages& stages, const SourcePool& sources, bool is_off) {
     WallContent content{.folders = {}, .files = {}, .open = sources.open_files(), .is_off = is_off};
     for (const auto& stage : stages.all()) {
-        if (stage->screens().empty()) continue;
+        if (!stage->is_seen()) continue;
         content.folders.push_back({.folder = stage->files().folder(),
                                    .opened = stage->wall().opened_folder(),
                                    .avoided = stage->wall().avoided_files()});
@@ -79,7 +84,9 @@ Player::Player(const Settings& settings, const PlayOptions& options)
     files_ = std::make_unique<VisibleFiles>(
         loop_, state,
         ShowDays{.holidays = *dates_named(settings.show.holidays), .on_this_day = settings.show.on_this_day},
-        rehearsal, [this] { give_files(); });
+        rehearsal, [this] {
+            if (stages_) stages_->set_catalogue(files_->records(), files_->hints());
+        });
     make_sources();
     stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures(), wall_.others());
     if (!is_paced_by_pictures() && !settings.output.sound.empty())
@@ -169,7 +176,7 @@ PlayerActions Player::actions() {
 }
 
 void Player::begin_stages() {
-    give_files();
+    stages_->set_catalogue(files_->records(), files_->hints());
     if (!options_.tapestry) return;
     for (const auto& stage : stages_->all())
         stage->show_tapestry(*options_.tapestry, std::nullopt);
@@ -193,10 +200,6 @@ std::chrono::nanoseconds Player::now() const {
     return is_paced_by_pictures() ? clock_.due() : wall_.now();
 }
 
-void Player::give_files() {
-    if (stages_) stages_->set_catalogue(files_->records(), files_->hints());
-}
-
 /// Draws one frame, or waits until one can be drawn.
 void Player::tick() {
     wall_.follow_clocks(stages_->first().wall());
@@ -206,13 +209,7 @@ void Player::tick() {
     renew_stages(time);
     stages_->set_screens(display_->screens(), time);
     service_->look(time);
-    if (display_->screens().empty()) {
-        clock_.skip_to(time);
-        handle_input(time);
-        look_at_files(time);
-        play_sound(time);
-        return tick_.arm(is_paced_by_pictures() ? 0s : std::chrono::nanoseconds(invisible_pause));
-    }
+    if (!are_seen(*stages_)) return rest(time);
     if (time < clock_.due()) return tick_.arm(clock_.due() - time);
     const bool is_late = time > clock_.due() + 500'000'000ns / settings_.output.frame_rate;
     if (!can_draw(display_->screens(), is_late)) return tick_.arm(busy_pause);
@@ -227,9 +224,22 @@ void Player::tick() {
     take_wall_picture(time);
     if (is_paced_by_pictures())
         clock_.advance_exactly();
+    else if (display_->screens().empty())
+        clock_.skip_to(time);
     else
         clock_.advance(time);
     tick_.arm(std::max(0ns, clock_.due() - now()));
+}
+
+/// Draws nothing. The other boxes of a wall hear that this one has no screen.
+void Player::rest(std::chrono::nanoseconds time) {
+    clock_.skip_to(time);
+    handle_input(time);
+    look_at_files(time);
+    play_sound(time);
+    wall_.direct(stages_->first(), {}, time);
+    wall_.speak(stages_->first().wall(), time);
+    tick_.arm(is_paced_by_pictures() ? 0s : std::chrono::nanoseconds(invisible_pause));
 }
 
 /// Handles the rehearsal's events first, then those of visitors. Each wakes panels that are off; they are not
@@ -250,8 +260,9 @@ void Player::handle_input(std::chrono::nanoseconds time) {
 }
 
 void Player::look_at_files(std::chrono::nanoseconds time) {
-    files_->look(time, EventLoop::Clock::now(),
-                 [this] { return content_of(*stages_, *sources_, display_->is_away()); });
+    files_->look(time, EventLoop::Clock::now(), [this] {
+        return content_of(*stages_, *sources_, display_->is_away() && !are_seen(*stages_));
+    });
 }
 
 /// Updates the sound to the films now on the walls; silent while no wall is shown.
@@ -266,7 +277,7 @@ void Player::play_sound(std::chrono::nanoseconds time) {
 void Player::take_wall_picture(std::chrono::nanoseconds time) {
     const Stage& stage = first_seen(*stages_);
     if (!wall_picture_ || stage.screens().empty() || !wall_picture_->is_due(stage.frame(), time)) return;
-    wall_picture_->write(picture_of(stage.frame(), WallPicture::max_side, display_->renderer()));
+    wall_picture_->write(picture_of(stage.frame(), WallPicture::max_side, *display_->renderer()));
 }
 
 /// Reads the settings again. @throws SettingsError; then the settings stay as they are

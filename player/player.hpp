@@ -65,8 +65,8 @@ class Player {
     void begin_stages();
     bool is_paced_by_pictures() const;
     std::chrono::nanoseconds now() const;
-    void give_files();
     void tick();
+    void rest(std::chrono::nanoseconds time);
     void handle_input(std::chrono::nanoseconds time);
     void look_at_files(std::chrono::nanoseconds time);
     void play_sound(std::chrono::nanoseconds time);

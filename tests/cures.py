@@ -611,6 +611,17 @@ CURES = [
          '    if (!is_store_name(stored.file)) throw ActFault("an act names a file that is no file of a store");\n', "", "acts_test.act_json_test"),
     Cure("no picture of the wall, if each display has a folder of its own", "player/stage/stages.cpp",
          "return seen != stages.all().end() ? **seen : stages.first();", "return (void)seen, stages.first();", "pipeline.wall", ("vitrine-player",)),
+    Cure("a picture that flashes as the canvas changes while it fades out", "player/scene/acts/act_fade.cpp",
+         "progress < 1 && canvas_ == frame.canvas", "progress < 1", "acts_test.act_fade_test"),
+    Cure("holes on a box whose panels were off, until the newest pictures are there", "player/scene/acts/followed_wall.cpp",
+         "now - now_ > longest_frame", "now - now_ > 1000 * longest_frame", "acts_test.shared_wall_test"),
+    Cure("a leader without a display that leads nobody", "player/stage/stage.cpp",
+         "return !screens().empty() || (wall().led() != nullptr && painter_->has_others());", "return !screens().empty();",
+         "stage_test.stage_test"),
+    Cure("a leader without a display that keeps a place for its own", "player/stage/output_canvas.cpp",
+         "!screens.empty() || has_others()", "!screens.empty()", "stage_test.output_canvas_test"),
+    Cure("a box that does not tell that its panels are off", "player/player.cpp",
+         "    wall_.speak(stages_->first().wall(), time);\n    tick_.arm(", "    tick_.arm(", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
 ]
 
 

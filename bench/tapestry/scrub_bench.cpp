@@ -84,7 +84,7 @@ class Bench {
         const double before = cpu_milliseconds();
         for (const SourceEvent& event : pool_.update())
             event.failure ? strip_.source_failed(event.source) : strip_.source_ready(event.source);
-        WallStep step = strip_.step(Clock::now() - start_, renderer_);
+        WallStep step = strip_.step(Clock::now() - start_, &renderer_);
         for (const ShotRequest& request : step.requests) {
             pool_.request(request);
             begins_[request.source] = request.shot.begin;

@@ -184,7 +184,7 @@ void OutputCanvas::follow(std::span<Screen* const> screens, std::chrono::nanosec
     if (others_)
         for (const KnownOutput& output : others_->outputs)
             see(output, now);
-    if (!screens.empty())
+    if (!screens.empty() || has_others())
         std::erase_if(seen_, [&](const Seen& seen) { return now - seen.last >= kept_without; });
     std::vector<KnownOutput> outputs;
     for (const Seen& seen : seen_)

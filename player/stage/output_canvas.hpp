@@ -88,6 +88,9 @@ class OutputCanvas {
     /// Takes all outputs that are named as if they were there with these px, while nothing is open.
     void expect(int width, int height);
 
+    /// True: other boxes have outputs.
+    bool has_others() const { return others_ && !others_->outputs.empty(); }
+
     /// True: outputs show parts of one canvas.
     bool is_shared() const { return !now_.parts.empty(); }
 

@@ -29,8 +29,9 @@ void ScreenPainter::set_screens(std::vector<Screen*> screens, std::chrono::nanos
     outputs_.follow(screens_, now);
 }
 
-Canvas ScreenPainter::canvas() const {
+std::optional<Canvas> ScreenPainter::canvas() const {
     if (outputs_.is_shared()) return outputs_.shared().canvas;
+    if (screens_.empty()) return std::nullopt;
     const auto area = [](const Screen* screen) { return screen->width() * screen->height(); };
     const Screen& largest = **std::ranges::max_element(screens_, {}, area);
     Canvas canvas =
@@ -50,10 +51,11 @@ Vec2 ScreenPainter::canvas_point(const Screen& screen, Vec2 canvas, Vec2 share) 
                                          canvas, share);
 }
 
-void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer,
+void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Renderer* renderer,
                           bool waits_for_wall) {
-    const bool is_new = upload(frame, renderer);
-    const bool is_idle = shows_idle(frame, renderer);
+    if (screens_.empty() || renderer == nullptr) return;
+    const bool is_new = upload(frame, *renderer);
+    const bool is_idle = shows_idle(frame, *renderer);
     const bool is_beyond = std::ranges::any_of(
         screens_, [&](const Screen* screen) { return outputs_.is_beyond(*screen, frame.canvas); });
     number(frame, is_new, is_idle || is_beyond);
@@ -63,7 +65,7 @@ void ScreenPainter::paint(const Frame& frame, std::chrono::nanoseconds now, Rend
         if (!screen->is_ready() || (shown == number_ && !screen->wants_picture())) continue;
         shown = number_;
         screen->begin_frame();
-        draw(frame, *screen, renderer);
+        draw(frame, *screen, *renderer);
         screen->present(now);
     }
 }
@@ -127,8 +129,8 @@ void ScreenPainter::draw(const Frame& frame, Screen& screen, Renderer& renderer)
     renderer.draw(own);
 }
 
-void ScreenPainter::forget(SourceId source, Renderer& renderer) {
-    renderer.forget(source);
+void ScreenPainter::forget(SourceId source, Renderer* renderer) {
+    if (renderer != nullptr) renderer->forget(source);
     uploaded_.erase(source);
 }
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -47,8 +48,11 @@ class ScreenPainter {
     void show_parts(const WallAct& act) { outputs_.show_parts(act); }
 
     /// The canvas that the screens show together, or else the one that fills the largest of them.
-    /// @pre there is a screen
-    Canvas canvas() const;
+    /// None: there is no screen, and no other box shows a part.
+    std::optional<Canvas> canvas() const;
+
+    /// True: other boxes show the canvas, or parts of it.
+    bool has_others() const { return outputs_.has_others(); }
 
     /// The canvas of screens of this size, px, while none is open.
     Canvas expected_canvas(int width, int height);
@@ -59,14 +63,15 @@ class ScreenPainter {
 
     /// Shows the frame on every screen that is ready and does not show it yet.
     /// @param now             since the player's start
+    /// @param renderer        nullptr: there is none, and no screen
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
-    void paint(const Frame& frame, std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
+    void paint(const Frame& frame, std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall);
 
     /// Draws guides for placing the screens above all frames, or ends that.
     void show_guides(bool is_on);
 
-    /// Call when the source is gone: the renderer drops its picture.
-    void forget(SourceId source, Renderer& renderer);
+    /// Call when the source is gone: the renderer drops its picture. @param renderer  nullptr: there is none
+    void forget(SourceId source, Renderer* renderer);
 
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads() { uploaded_.clear(); }

@@ -101,7 +101,7 @@ void ShowSwitch::complain(const SourceEvent& event) {
         log::warning("not shown for now: {}", *event.failure);
 }
 
-WallStep ShowSwitch::step(Renderer& renderer) {
+WallStep ShowSwitch::step(Renderer* renderer) {
     std::optional<WallStep> step;
     if (tapestry_) step = tapestry_->step(time_, renderer);
     if (LedShow* const led = wall_->led())

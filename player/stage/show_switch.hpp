@@ -57,8 +57,8 @@ class ShowSwitch {
     void set_time(std::chrono::nanoseconds now) { time_ = now - away_; }
 
     /// The next frame of the wall or the tapestry, at the time that was set.
-    /// @param renderer  gets the tiles of a tapestry
-    WallStep step(Renderer& renderer);
+    /// @param renderer  gets the tiles of a tapestry; nullptr: there is none
+    WallStep step(Renderer* renderer);
 
     /// Fades in the show that has just replaced the other.
     /// @param frame  the frame of the last step()

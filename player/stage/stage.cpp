@@ -27,6 +27,11 @@ using namespace std::chrono_literals;
 constexpr auto source_patience = 10s;    // longest wait of a frame for one source, if pictures set the pace
 constexpr int max_settling_steps = 100;  // each gives up at least one file
 
+void set_canvas(const Canvas& canvas, GestureDispatch& gestures, ShowSwitch& shows) {
+    gestures.set_canvas(canvas);
+    shows.set_canvas(canvas);
+}
+
 }  // namespace
 
 Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources)
@@ -59,6 +64,10 @@ std::span<Screen* const> Stage::screens() const {
     return painter_->screens();
 }
 
+bool Stage::is_seen() const {
+    return !screens().empty() || (wall().led() != nullptr && painter_->has_others());
+}
+
 void Stage::handle_input(const InputEvent& event) {
     if (FollowedWall* const followed = wall().followed()) return followed->touches().note(event);
     gestures_->handle_input(event);
@@ -70,32 +79,28 @@ void Stage::set_catalogue(const RecordList& records, const ShowHints& hints) {
 }
 
 void Stage::expect_screen(int width, int height) {
-    set_canvas(painter_->expected_canvas(width, height));
+    set_canvas(painter_->expected_canvas(width, height), *gestures_, *shows_);
     if (const std::optional<WallPlan> plan = shows_->wall().step(0ns).plan) planner_->request_layout(*plan);
 }
 
 void Stage::set_screens(std::vector<Screen*> screens, std::chrono::nanoseconds now) {
     painter_->set_screens(std::move(screens), now);
-    if (painter_->screens().empty()) {
+    if (!is_seen()) {
         if (!hidden_since_ && settings_.wall.role == WallRole::alone) hidden_since_ = now;
         return;
     }
     if (hidden_since_) hidden_ += now - *std::exchange(hidden_since_, std::nullopt);
-    const Canvas canvas = painter_->canvas();
-    if (canvas != shows_->canvas() || canvas.finger != shows_->canvas().finger) set_canvas(canvas);
+    const Canvas canvas = painter_->canvas().value_or(shows_->canvas());
+    if (canvas != shows_->canvas() || canvas.finger != shows_->canvas().finger)
+        set_canvas(canvas, *gestures_, *shows_);
     if (LedShow* const led = wall().led()) led->set_parts(painter_->parts());
-}
-
-void Stage::set_canvas(const Canvas& canvas) {
-    gestures_->set_canvas(canvas);
-    shows_->set_canvas(canvas);
 }
 
 Vec2 Stage::canvas_point(const Screen& screen, Vec2 share) const {
     return painter_->canvas_point(screen, shows_->canvas(), share);
 }
 
-void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
+void Stage::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall) {
     shows_->set_time(now - hidden_);
     gestures_->dispatch(now);
     if (const FollowedWall* const followed = wall().followed()) {
@@ -115,7 +120,7 @@ void Stage::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_fo
     painter_->paint(frame_, now, renderer, waits_for_wall);
 }
 
-WallStep Stage::next_step(Renderer& renderer) {
+WallStep Stage::next_step(Renderer* renderer) {
     if (const std::optional<Layout> layout = planner_->pop_layout()) shows_->wall().set_layout(*layout);
     WallStep step = shows_->step(renderer);
     carry_out(step, renderer);
@@ -128,7 +133,7 @@ WallStep Stage::next_step(Renderer& renderer) {
     return step;
 }
 
-void Stage::carry_out(const WallStep& step, Renderer& renderer) {
+void Stage::carry_out(const WallStep& step, Renderer* renderer) {
     if (step.plan) {
         planner_->request_layout(*step.plan);
         if (const std::optional<Layout> layout = planner_->pop_layout())  // made during the call above

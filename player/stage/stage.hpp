@@ -49,7 +49,7 @@ struct StageOptions {
 /// One show and the screens that show it. `output.canvas` determines the canvas, and the part of it that each
 /// screen shows; else the largest screen does. Every other screen shows the whole canvas in its own
 /// resolution, between black bars if its shape differs. While no screen shows the stage, its time stands
-/// still, unless it shares its time with other boxes.
+/// still, unless it shares its time with other boxes. A stage that leads others goes on for their screens.
 class Stage {
   public:
     /// @param settings, sources  outlive this
@@ -75,6 +75,9 @@ class Stage {
 
     std::span<Screen* const> screens() const;
 
+    /// True: a screen shows the stage, or one of a box that it leads.
+    bool is_seen() const;
+
     /// Handles a visitor's input. @param event  canvas px, time since the player's start
     void handle_input(const InputEvent& event);
 
@@ -83,8 +86,9 @@ class Stage {
     Vec2 canvas_point(const Screen& screen, Vec2 share) const;
 
     /// Shows one frame on every screen that is ready and does not show it yet.
+    /// @param renderer        nullptr: there is none, and no screen
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
-    void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall = false);
+    void show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall = false);
 
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
@@ -110,9 +114,8 @@ class Stage {
     Show& wall() const;
 
   private:
-    void set_canvas(const Canvas& canvas);
-    WallStep next_step(Renderer& renderer);
-    void carry_out(const WallStep& step, Renderer& renderer);
+    WallStep next_step(Renderer* renderer);
+    void carry_out(const WallStep& step, Renderer* renderer);
 
     const Settings& settings_;  // outlive this
     bool awaits_sources_;

@@ -112,11 +112,11 @@ bool Stages::toggle_guides() {
     return has_guides_;
 }
 
-void Stages::show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall) {
+void Stages::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall) {
     if (has_guides_ && !guides_end_) guides_end_ = now + guide_time;
     if (has_guides_ && now >= *guides_end_) has_guides_ = false;
     for (const auto& stage : stages_) {
-        if (stage->screens().empty()) continue;
+        if (!stage->is_seen()) continue;
         stage->show_guides(has_guides_);
         stage->show(now, renderer, waits_for_wall);
     }

@@ -57,8 +57,9 @@ class Stages {
     void handle_input(const Screen& screen, InputEvent event);
 
     /// Draws one frame on every screen that is ready.
+    /// @param renderer        nullptr: there is none, and no screen
     /// @param waits_for_wall  draws no frame in which the idle picture would be seen
-    void show(std::chrono::nanoseconds now, Renderer& renderer, bool waits_for_wall);
+    void show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall);
 
     /// Draws guides for placing the screens above all for ten minutes, from the next frame on; or ends that.
     /// @return true: they are drawn

@@ -179,14 +179,14 @@ void TapestryPlayback::hand_over_choice() {
     wish_.emplace(state_, path);
 }
 
-WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer) {
+WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer* renderer) {
     if (!opened_) opened_ = now;
     take_newer_index(now);
     end_waiting(now);
     hand_over_choice();
-    if (!std::exchange(has_mark_, true))
-        renderer.upload(show_.sources().mark(),
-                        {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
+    if (renderer != nullptr && !std::exchange(has_mark_, true))
+        renderer->upload(show_.sources().mark(),
+                         {.width = 1, .height = 1, .stride = white.size(), .pixels = white});
     const TapestryMoment* const followed = followed_ ? &*followed_ : nullptr;
     TapestryStep step = show_.step(now, followed);
     WallStep done{.requests = std::move(step.requests), .retired = std::move(step.retired)};
@@ -201,7 +201,7 @@ WallStep TapestryPlayback::step(std::chrono::nanoseconds now, Renderer& renderer
 }
 
 /// Gives tiles that have been read to the renderer. True: at least one.
-bool TapestryPlayback::give_tiles(const TapestryStep& step, Renderer& renderer) {
+bool TapestryPlayback::give_tiles(const TapestryStep& step, Renderer* renderer) {
     std::vector<TileFile> wanted;
     if (const std::optional<ComingStrip>& coming = show_.strips().coming())
         add_files(coming->strip(), step.coming, wanted);
@@ -242,7 +242,7 @@ void TapestryPlayback::add_files(const TapestryStrip& strip, const std::vector<T
 }
 
 /// A tapestry that is to come and has no such tile any more has been replaced: the next one is awaited.
-void TapestryPlayback::give(const LoadedTile& loaded, Renderer& renderer) {
+void TapestryPlayback::give(const LoadedTile& loaded, Renderer* renderer) {
     const TileId tile = tile_of(loaded.number);
     const unsigned generation = generation_of(loaded.number);
     const TapestryStrip* const strip = show_.strips().find(generation);
@@ -254,7 +254,7 @@ void TapestryPlayback::give(const LoadedTile& loaded, Renderer& renderer) {
         if (strip != &show_.strips().shown()) show_.strips().drop_coming();
         return;
     }
-    renderer.upload(strip->sources().tile(tile), loaded.sample);
+    if (renderer != nullptr) renderer->upload(strip->sources().tile(tile), loaded.sample);
     const double left = static_cast<double>(tile.tile) * strip->tapestry().tile_width;
     show_.strips().add(generation, tile,
                        {.to_coarser = mesh_of(loaded.to_coarser, left, false),

@@ -67,8 +67,8 @@ class TapestryPlayback {
     /// The last frame as other boxes need it.
     const TapestryMoment& seen() const { return seen_; }
 
-    /// The next frame. Gives the tiles that it needs to the renderer.
-    WallStep step(std::chrono::nanoseconds now, Renderer& renderer);
+    /// The next frame. Gives the tiles that it needs to the renderer. @param renderer  nullptr: there is none
+    WallStep step(std::chrono::nanoseconds now, Renderer* renderer);
 
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
@@ -90,8 +90,8 @@ class TapestryPlayback {
     void hand_over_choice();
     void add_files(const TapestryStrip& strip, const std::vector<TileId>& tiles,
                    std::vector<TileFile>& files) const;
-    bool give_tiles(const TapestryStep& step, Renderer& renderer);
-    void give(const LoadedTile& tile, Renderer& renderer);
+    bool give_tiles(const TapestryStep& step, Renderer* renderer);
+    void give(const LoadedTile& tile, Renderer* renderer);
 
     std::filesystem::path directory_;
     std::filesystem::path state_;  // see wishes_in

@@ -114,6 +114,7 @@ BoxMoment WallLink::moment(std::chrono::nanoseconds now) const {
 void WallLink::direct(Stage& stage, std::span<Screen* const> screens, std::chrono::nanoseconds now) {
     if (!talk_) return;
     outputs_ = outputs_of(screens);
+    if (screens.empty() && settings_.wall.role == WallRole::follow) return;  // the newest waits for a screen
     for (const WallMessage& message : std::exchange(heard_, {})) {
         try {
             talk_->hear(message);

@@ -49,7 +49,7 @@ class WallLink {
     EventLoop::Clock::time_point start() const { return clock_.start(); }
 
     /// Call before each frame: the stage hears what the others have said, and how they were touched.
-    /// @param screens  of this box
+    /// @param screens  of this box; none: if it follows, it hears the newest once it has one
     /// @param now      of the frame
     void direct(Stage& stage, std::span<Screen* const> screens, std::chrono::nanoseconds now);
 

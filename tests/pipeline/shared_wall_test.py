@@ -114,7 +114,7 @@ class Wall(unittest.TestCase):
     def environment(self, box):
         return {**os.environ, "DBUS_SYSTEM_BUS_ADDRESS": f"unix:path={box.root / 'bus'}", "LD_LIBRARY_PATH": ""}
 
-    def start_player(self, box, name, *options):
+    def start_player(self, box, name, *options, films=True):
         """Starts a player on a bus of its own. It films what it shows as NAME."""
         environment = self.environment(box)
         if not (box.root / "bus").exists():
@@ -124,7 +124,7 @@ class Wall(unittest.TestCase):
         with open(box.root / f"{name}.log", "w") as log:
             player = subprocess.Popen([*box.inside, PLAYER, "--config", box.settings, "--wall.key", box.key, "--wall.socket", box.socket(),
                                        "--screen", "offscreen:320x180", "--output.frame_rate", str(RATE), "--pace", "realtime", "--status.folder", "",
-                                       "--film", self.folder / f"{name}.mp4", *map(str, options)],
+                                       *(("--film", self.folder / f"{name}.mp4") if films else ()), *map(str, options)],
                                       env={**environment, "LD_PRELOAD": str(BUILD / "tests/pipeline/libkept_clock.so")}, stderr=log)
         self.addCleanup(self.end, player)
         return player
@@ -216,6 +216,37 @@ class Wall(unittest.TestCase):
             moments = [right[round((at + later) * RATE)] for later in (-1, 4.5, 16.5, 22)]
             for one, other in zip(moments, moments[1:]):
                 self.assertGreater(difference(one, other), 3 * SAME)
+
+    def off_now(self):
+        """Options of a player whose display is off at this hour."""
+        far = (time.localtime().tm_hour + 12) % 24
+        return "--output.on", f"{far:02}:00-{far:02}:59"
+
+    def test_a_follower_whose_display_is_off_tells_that_it_has_none(self):
+        self.start_leader("alone")
+        self.start_player(self.right, "off", "--media.root", self.folder / "none", *self.off_now(), films=False)
+        ask = ["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
+               "-t", "vitrine/lobby/box/right", "-C", "1", "-W", "2", "-F", "%p"]
+
+        def outputs():
+            told = subprocess.run(ask, capture_output=True, text=True).stdout
+            return json.loads(told).get("outputs") if told else None
+
+        until("the follower tells of its displays", lambda: outputs() is not None)
+        self.assertEqual(outputs(), [])
+
+    def test_a_leader_whose_display_is_off_leads(self):
+        leader = self.start_player(self.left, "dark", "--media.root", self.media, "--layout.slots", 1, "--show.dwell_seconds", 2, "--show.order", "name",
+                                   "--show.motion_milliseconds", 200, *self.off_now(), films=False)
+        heard = self.listen()
+        follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--duration", "16s")
+        self.assertEqual(follower.wait(PATIENCE), 0, (self.right.root / "lit.log").read_text())
+        leader.send_signal(signal.SIGTERM)
+        ended, log = leader.wait(PATIENCE), (self.left.root / "dark.log").read_text()
+        self.assertEqual(ended, 0, log)
+        self.assertIn("panels off", log)
+        self.assertGreater(len([topic for _, topic in heard if topic == "act"]), 2, "one after the other")
+        self.assertTrue(any(max(picture) > BRIGHT for picture in small_pictures(self.folder / "lit.mp4")))
 
     def test_a_follower_goes_on_without_broker_and_leader_and_is_in_step_once_they_are_back(self):
         leader = self.start_leader("first")

@@ -111,6 +111,16 @@ def cut_and_heal(boxes, card):
     follower.look("with a network again")
 
 
+def lead_without_a_panel(boxes):
+    """The leader's panel is pulled out: a change of its folder is seen on the other box, and on the panel when it is back."""
+    leader, follower = boxes
+    leader.pull()
+    leader.sh(f"rm {MEDIA}/magenta.png")
+    wait_for("the change of a leader without a panel", lambda: follower.files_in(follower.machine.picture()) == {"red"})
+    leader.panel()
+    leader.wait_for_wall("the leader's wall on its panel again", files=("red",))
+
+
 def run(box):
     disk = box.pictures.parent / "two_boxes_other.qcow2"
     shutil.copy(box.pictures.parent / "prepared.qcow2", disk)
@@ -130,6 +140,8 @@ def run(box):
         agree(boxes)
         lose_and_find_the_time(boxes)
         cut_and_heal(boxes, card)
+        agree(boxes)
+        lead_without_a_panel(boxes)
         agree(boxes)
     except AssertionError:
         for one in boxes:

@@ -183,6 +183,25 @@ TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keep
     CHECK(outputs.shared().parts.size() == 1);
 }
 
+TEST_CASE("a leader without outputs lays the canvas out for the other boxes after a minute") {
+    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0");
+    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
+    const auto others = std::make_shared<OtherOutputs>();
+    OutputCanvas outputs(pair.settings, others);
+    const std::vector<Screen*> own{pair.display.screens()[0]};
+    outputs.follow(own, 0s);
+    others->outputs = {{"there/DP-1", 80, 50, {}}};
+    outputs.follow(own, 1s);
+    outputs.follow({}, 60s);
+    CHECK(outputs.shared().parts.size() == 2);
+    outputs.follow({}, 61s);
+    REQUIRE(outputs.shared().parts.size() == 1);
+    CHECK(outputs.shared().parts.contains("there/DP-1"));
+    others->outputs.clear();
+    outputs.follow({}, 1h);
+    CHECK(outputs.shared().parts.size() == 1);
+}
+
 TEST_CASE("a box that follows shows the parts that an act gives it") {
     Pair pair("");
     pair.settings.wall = {.role = WallRole::follow, .box = "there"};

@@ -55,7 +55,7 @@ struct Theatre {
     void show(std::chrono::nanoseconds time) {
         const auto screens = display.screens();
         stage->set_screens({screens.begin(), screens.end()}, time);
-        stage->show(time, renderer);
+        stage->show(time, &renderer);
     }
 
     /// Lets what is on the wall be heard. @return  how often the second of the film was heard that belongs to

@@ -4,13 +4,20 @@
 #include "player/display/offscreen_display.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/acts/led_show.hpp"
+#include "player/scene/show.hpp"
+#include "player/stage/output_canvas.hpp"
 #include "player/stage/screen_painter.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
+#include <memory>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -94,11 +101,14 @@ class CountingScreen final : public Screen {
 /// A red and a blue photo, in folders of their own, and one wall that takes turns with them.
 struct Theatre {
     explicit Theatre(const std::vector<ScreenSize>& screens, Settings wanted = one_photo_at_a_time(),
-                     const std::string& folder = "")
+                     const std::string& folder = "", std::shared_ptr<const OtherOutputs> others = {})
         : settings(std::move(wanted)), display({.screens = screens}, {}, 30) {
         write_photo(directory.path / "a/red.png", red);
         write_photo(directory.path / "b/blue.png", blue);
-        StageOptions options{.number = 3, .folder = folder, .awaits_sources = true};
+        StageOptions options{.number = others ? 0U : 3U,
+                             .folder = folder,
+                             .awaits_sources = true,
+                             .others = std::move(others)};
         stage = std::make_unique<Stage>(settings, options, sources);
         const std::vector<MediaRecord> records{record_of("a/red.png"), record_of("b/blue.png")};
         stage->set_catalogue(records);
@@ -107,7 +117,7 @@ struct Theatre {
     void show_all(std::chrono::nanoseconds now) {
         const auto screens = display.screens();
         stage->set_screens({screens.begin(), screens.end()}, now);
-        stage->show(now, renderer);
+        stage->show(now, &renderer);
     }
 
     Picture picture(std::size_t screen) {
@@ -173,7 +183,7 @@ TEST_CASE("a wall on which nothing is new is drawn once a second, and when a scr
         const int before = screen.pictures;
         for (auto now = from; now < to; now += 20ms) {
             theatre.stage->set_screens({&screen}, now);
-            theatre.stage->show(now, theatre.renderer);
+            theatre.stage->show(now, &theatre.renderer);
         }
         return screen.pictures - before;
     };
@@ -192,7 +202,7 @@ TEST_CASE("the idle picture is drawn ten times a second") {
     CountingScreen screen(*theatre.display.screens()[0]);
     for (auto now = 0ms; now < 1s; now += 20ms) {
         theatre.stage->set_screens({&screen}, now);
-        theatre.stage->show(now, theatre.renderer);
+        theatre.stage->show(now, &theatre.renderer);
     }
     CHECK(screen.pictures == 10);
 }
@@ -216,7 +226,7 @@ TEST_CASE("a wall is laid out anew when its largest screen goes, and again when 
 
     theatre.stage->set_screens({theatre.display.screens()[1]}, 1s);
     for (auto now = 1s; now <= 2s; now += 1s)
-        theatre.stage->show(now, theatre.renderer);
+        theatre.stage->show(now, &theatre.renderer);
     CHECK_FALSE(is_near(theatre.picture(1), 50, 4, black));  // its own canvas: no bars
 
     play(theatre, 3s, 4s);
@@ -229,7 +239,7 @@ TEST_CASE("another renderer is given the pictures of what plays") {
 
     theatre.stage->forget_uploads();
     Renderer another(1, 1);
-    theatre.stage->show(2s, another);
+    theatre.stage->show(2s, &another);
 
     CHECK(is_near(theatre.picture(0), 160, 90, red));
 }
@@ -245,7 +255,7 @@ TEST_CASE("on a screen of another shape a wall is laid out anew once, in one mot
         for (auto now = from; now < to; now += refresh) {
             const Frame before = theatre.stage->frame();
             theatre.stage->set_screens({theatre.display.screens()[screen]}, now);
-            theatre.stage->show(now, theatre.renderer);
+            theatre.stage->show(now, &theatre.renderer);
             if (!looks_alike(theatre.stage->frame(), before)) moved.push_back(now);
         }
         return moved;
@@ -280,6 +290,33 @@ TEST_CASE("the screens of a canvas show their parts of one wall, and nothing for
     }
 }
 
+TEST_CASE("a box without a screen leads the wall on the screens of other boxes") {
+    Settings settings = one_photo_at_a_time();
+    settings.show.dwell = 2s;
+    settings.wall = {.role = WallRole::lead, .box = "here"};
+    settings.output.canvas = "there/DP-1 0,0";
+    const auto others = std::make_shared<OtherOutputs>();
+    Theatre theatre({{160, 90}}, settings, "", others);
+    Stage& stage = *theatre.stage;
+    stage.set_screens({}, 0s);
+    CHECK_FALSE(stage.is_seen());
+    others->outputs = {{"there/DP-1", 320, 180, {}}};
+    std::set<std::string> told;
+    for (auto now = 0ms; now < 12s; now += 200ms) {
+        stage.set_screens({}, now);
+        REQUIRE(stage.is_seen());
+        stage.show(now, nullptr);
+        const LedNews news = stage.wall().led()->take_news();
+        if (!news.act) continue;
+        CHECK(news.act->canvas == Vec2{320, 180});
+        for (const PlacedShot& placed : last_wall(*news.act))
+            told.insert(placed.shot.key.path);
+    }
+    CHECK(told == std::set<std::string>{"a/red.png", "b/blue.png"});
+    play(theatre, 12s, 13s);  // now it has a screen, too
+    CHECK_FALSE(is_near(theatre.picture(0), 80, 45, black));
+}
+
 TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle picture, and never black") {
     Settings settings;
     settings.wall = {.role = WallRole::follow, .box = "there"};
@@ -296,7 +333,7 @@ TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle pictu
     int drawn = 0;
     std::uint64_t before = 0;
     for (auto now = 0ms; now < 1s; now += 20ms) {
-        painter.paint({.canvas = {160, 90}, .is_fade = true, .time = now}, now, renderer, false);
+        painter.paint({.canvas = {160, 90}, .is_fade = true, .time = now}, now, &renderer, false);
         const std::uint64_t flips = screens[1]->flips();
         if (std::exchange(before, flips) != flips) ++drawn;
     }

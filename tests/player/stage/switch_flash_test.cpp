@@ -110,7 +110,7 @@ class BlackAndWhiteFilms {
     }
 
     void draw() {
-        WallStep step = shows_->step(renderer_);
+        WallStep step = shows_->step(&renderer_);
         for (const ShotRequest& request : step.requests) {
             renderer_.upload(request.source, is_white(request.path) ? white_ : black_);
             shows_->handle_source_event({.source = request.source, .failure = {}, .unstored = {}});

@@ -97,7 +97,7 @@ struct Theatre {
 
     void play(std::chrono::nanoseconds duration) {
         for (const auto end = now + duration; now < end; now += 100ms)
-            stage->show(now, renderer);
+            stage->show(now, &renderer);
     }
 
     void tap(Vec2 at) {
@@ -188,7 +188,7 @@ struct Cinema {
 
     Picture picture(std::chrono::nanoseconds later = 16ms) {
         now += later;
-        frame = playback->step(now, projector.renderer).frame;
+        frame = playback->step(now, &projector.renderer).frame;
         projector.screen.begin_frame();
         projector.renderer.draw(frame);
         projector.screen.present(now);
@@ -435,7 +435,7 @@ TEST_CASE(
 
     theatre.stage->forget_uploads();
     Renderer another(1, 1);
-    theatre.stage->show(theatre.now, another);
+    theatre.stage->show(theatre.now, &another);
     CHECK(columns(colours[0]) == coarse);
     CHECK(columns(colours[1]) == fine);
 }
@@ -447,7 +447,7 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
     std::chrono::nanoseconds now = 0s;
     for (std::size_t before = 0; tapestry.show().strips().shown().tiles().size() < 4;
          now += 16ms) {  // ends at the test's timeout
-        tapestry.step(now, theatre.renderer);
+        tapestry.step(now, &theatre.renderer);
         largest = std::max(largest, tapestry.show().strips().shown().tiles().size() - before);
         before = tapestry.show().strips().shown().tiles().size();
     }
@@ -457,7 +457,7 @@ TEST_CASE("no frame waits for tiles, and none is given more than a few") {
 TEST_CASE("a tapestry plays at once, and from the store as soon as the film's record is known") {
     Theatre theatre;
     TapestryPlayback tapestry(theatre.tapestry(), {320, 180}, {.first_source = 1});
-    const WallStep first = tapestry.step(0s, theatre.renderer);
+    const WallStep first = tapestry.step(0s, &theatre.renderer);
     REQUIRE(first.requests.size() == 1);
     CHECK(first.requests[0].path == "film.mp4");
     CHECK_FALSE(first.requests[0].shot.stored);
@@ -466,7 +466,7 @@ TEST_CASE("a tapestry plays at once, and from the store as soon as the film's re
     record.shots = {Shot{.begin = 0s, .end = 60s, .stored = StoredShot{.file = "id/clip"}}};
     tapestry.set_catalogue(std::vector<MediaRecord>{record});
     tapestry.handle_gesture({.kind = Gesture::Kind::key, .key = Key::select});
-    const WallStep next = tapestry.step(100ms, theatre.renderer);
+    const WallStep next = tapestry.step(100ms, &theatre.renderer);
     REQUIRE(next.requests.size() == 1);
     CHECK(next.requests[0].shot.stored);
     CHECK_FALSE(tapestry.is_over());
@@ -488,7 +488,7 @@ TEST_CASE("at the film's end the last picture stands") {
                               {.first_source = 1, .patience = 60s, .awaits_tiles = true});
     std::vector<int> seen;
     for (std::chrono::nanoseconds now{0}; now < length + 2s; now += 40ms) {
-        const WallStep step = tapestry.step(now, theatre.renderer);
+        const WallStep step = tapestry.step(now, &theatre.renderer);
         for (const ShotRequest& request : step.requests)
             theatre.sources.request(request);
         if (!step.requests.empty()) {
@@ -541,7 +541,7 @@ struct Opened {
     WallStep play(std::chrono::nanoseconds duration) {
         WallStep last;
         for (const auto end = now + duration; now < end; now += 100ms)
-            last = tapestry.step(now, renderer);
+            last = tapestry.step(now, &renderer);
         return last;
     }
 
@@ -558,7 +558,7 @@ struct Opened {
 TEST_CASE("a film that is not woven plays at once, and its strip is taken over as soon as there is one") {
     Theatre theatre;  // a context to draw in
     Opened opened;
-    const WallStep first = opened.tapestry.step(0s, opened.renderer);
+    const WallStep first = opened.tapestry.step(0s, &opened.renderer);
     REQUIRE(first.requests.size() == 1);
     CHECK(first.requests[0].path == "film.mp4");
     opened.play(3s);
@@ -628,9 +628,9 @@ TEST_CASE(
         TapestryPlayback tapestry(
             theatre.tapestry(), {320, 180},
             {.awaits_tiles = true, .film = film_record(), .wishes_in = state, .edits_keyframes = is_edited});
-        tapestry.step(100ms, theatre.renderer);
+        tapestry.step(100ms, &theatre.renderer);
         tapestry.handle_gesture({.kind = Gesture::Kind::tap, .at = {160, 120}, .from = {160, 120}});
-        tapestry.step(200ms, theatre.renderer);
+        tapestry.step(200ms, &theatre.renderer);
         return wanted_tapestry(state, std::filesystem::file_time_type::clock::now());
     };
     CHECK(tap(false).empty());
