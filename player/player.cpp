@@ -217,7 +217,7 @@ void Player::tick() {
     look_at_files(time);
     sources_->update();
     const std::chrono::nanoseconds frame = wall_.is_shared() ? clock_.last_due(time) : time;
-    wall_.direct(stages_->first(), display_->screens(), frame);
+    wall_.direct(*stages_, display_->screens(), frame);
     stages_->show(frame, display_->renderer(), display_->has_old_picture() && time < old_picture_patience);
     wall_.speak(stages_->first().wall(), frame);
     play_sound(time);
@@ -237,7 +237,7 @@ void Player::rest(std::chrono::nanoseconds time) {
     handle_input(time);
     look_at_files(time);
     play_sound(time);
-    wall_.direct(stages_->first(), {}, time);
+    wall_.direct(*stages_, {}, time);
     wall_.speak(stages_->first().wall(), time);
     tick_.arm(is_paced_by_pictures() ? 0s : std::chrono::nanoseconds(invisible_pause));
 }

@@ -51,6 +51,15 @@ std::runtime_error unknown_file(const std::string& name) {
         fmt::format("nothing is known of '{}': it is not in the media folder, or not analysed yet", name));
 }
 
+/// Refuses what only the leader of several boxes can do: here it would change nothing.
+void leave_to_leader(CommandHandlers& handlers) {
+    const auto refuse = [](const CommandCall&) -> CommandAnswer {
+        throw std::runtime_error("this box follows: the box that leads decides that; call vitrinectl there");
+    };
+    for (const Command& command : commands())
+        if (command.is_leaders) handlers.insert_or_assign(command.method, refuse);
+}
+
 template <typename T> void put(std::set<T>& set, const T& value, bool is_in) {
     if (is_in)
         set.insert(value);
@@ -88,7 +97,8 @@ void PlayerService::look(std::chrono::nanoseconds now) {
     for (const Screen* screen : view_.display.screens())
         screens.push_back({.name = screen->name(), .flips = screen->flips()});
     health_.set_screens(
-        {.screens = screens, .is_away = view_.display.is_away(), .items = view_.stages.count()}, now);
+        {.screens = screens, .is_away = view_.display.is_away(), .items = view_.stages.standing().size()},
+        now);
     if (health_.feed_watchdog_now(now)) service::feed_watchdog();
 }
 
@@ -324,6 +334,7 @@ CommandHandlers PlayerService::handlers() {
                              {"Canvas", canvas},
                              {"Reload", reload}};
     handlers.merge(arrangement_.handlers());
+    if (view_.settings.wall.role == WallRole::follow) leave_to_leader(handlers);
     return handlers;
 }
 

@@ -622,6 +622,11 @@ CURES = [
          "!screens.empty() || has_others()", "!screens.empty()", "stage_test.output_canvas_test"),
     Cure("a box that does not tell that its panels are off", "player/player.cpp",
          "    wall_.speak(stages_->first().wall(), time);\n    tick_.arm(", "    tick_.arm(", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
+    Cure("commands that claim to change the wall of another box", "player/player_service.cpp",
+         "    if (view_.settings.wall.role == WallRole::follow) leave_to_leader(handlers);\n", "    (void)leave_to_leader;\n",
+         "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
+    Cure("guides on the displays of the leader alone", "player/stage/stages.cpp",
+         "has_guides_ || (others_ && others_->has_guides)", "has_guides_", "stage_test.stages_test"),
 ]
 
 

@@ -10,7 +10,7 @@ namespace vitrine::player {
 
 /// The facts of one screen that a guide for placing screens draws.
 struct GuideView {
-    std::string name;  // of the output
+    std::string name;  // of the output; BOX/OUTPUT on a wall of several boxes
     Vec2 size;         // px of the picture, as the screen hangs
     Box part;          // canvas px, what the screen shows
     Vec2 canvas;       // px

@@ -244,7 +244,7 @@ ComingView OutputCanvas::coming_view(const Screen& screen, Vec2 canvas) const {
 
 GuideView OutputCanvas::guide_view(const Screen& screen, Vec2 canvas) const {
     const View view = view_on(screen, canvas);
-    GuideView guide{.name = screen.name(),
+    GuideView guide{.name = own_prefix(settings_) + screen.name(),
                     .size = canvas_size(screen.width(), screen.height(), view),
                     .part = seen_part(view, canvas),
                     .canvas = canvas};

@@ -37,6 +37,7 @@ struct KnownOutput {
 /// The outputs of the other boxes of a wall, named BOX/OUTPUT.
 struct OtherOutputs {
     std::vector<KnownOutput> outputs;
+    bool has_guides = false;  // the box that leads draws guides on its own
 };
 
 /// An output's part of the canvas.

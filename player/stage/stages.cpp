@@ -6,6 +6,7 @@
 #include "player/display/screen.hpp"
 #include "player/scene/chosen_sound.hpp"
 #include "player/scene/show.hpp"
+#include "player/stage/output_canvas.hpp"
 
 #include <fmt/format.h>
 
@@ -115,9 +116,10 @@ bool Stages::toggle_guides() {
 void Stages::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_for_wall) {
     if (has_guides_ && !guides_end_) guides_end_ = now + guide_time;
     if (has_guides_ && now >= *guides_end_) has_guides_ = false;
+    const bool has_guides = has_guides_ || (others_ && others_->has_guides);
     for (const auto& stage : stages_) {
         if (!stage->is_seen()) continue;
-        stage->show_guides(has_guides_);
+        stage->show_guides(has_guides);
         stage->show(now, renderer, waits_for_wall);
     }
     log_counts();
@@ -134,13 +136,6 @@ std::vector<AudibleShot> Stages::audible() const {
         for (AudibleShot& shot : stage->audible())
             shots.push_back(std::move(shot));
     return shots;
-}
-
-std::size_t Stages::count() const {
-    std::size_t count = 0;
-    for (const auto& stage : stages_)
-        count += stage->wall().count();
-    return count;
 }
 
 std::vector<SlotShot> Stages::standing() const {

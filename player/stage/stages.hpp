@@ -65,6 +65,9 @@ class Stages {
     /// @return true: they are drawn
     bool toggle_guides();
 
+    /// True: this box draws guides of its own accord.
+    bool has_guides() const { return has_guides_; }
+
     /// Call after the renderer was replaced: all pictures must be uploaded again.
     void forget_uploads();
 
@@ -75,9 +78,6 @@ class Stages {
 
     /// The shots that may be heard.
     std::vector<AudibleShot> audible() const;
-
-    /// The number of shown shots.
-    std::size_t count() const;
 
     /// All shown shots.
     std::vector<SlotShot> standing() const;

@@ -9,6 +9,7 @@
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stage.hpp"
 #include "player/stage/stage_settings.hpp"
+#include "player/stage/stages.hpp"
 
 #include <fmt/format.h>
 
@@ -106,14 +107,16 @@ BoxMoment WallLink::moment(std::chrono::nanoseconds now) const {
     return {
         .now = now,
         .epoch = shared.epoch(),
-        .own = {.outputs = outputs_,
+        .own = {.has_guides = has_guides_,
+                .outputs = outputs_,
                 .has_right_clock = shared.is_right(),
                 .difference = std::chrono::duration_cast<std::chrono::microseconds>(shared.difference())}};
 }
 
-void WallLink::direct(Stage& stage, std::span<Screen* const> screens, std::chrono::nanoseconds now) {
+void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chrono::nanoseconds now) {
     if (!talk_) return;
     outputs_ = outputs_of(screens);
+    has_guides_ = stages.has_guides();
     if (screens.empty() && settings_.wall.role == WallRole::follow) return;  // the newest waits for a screen
     for (const WallMessage& message : std::exchange(heard_, {})) {
         try {
@@ -123,15 +126,17 @@ void WallLink::direct(Stage& stage, std::span<Screen* const> screens, std::chron
         }
     }
     follow_others();
-    talk_->direct(stage.wall(), moment(now));
-    touch(stage, now);
+    talk_->direct(stages.first().wall(), moment(now));
+    touch(stages.first(), now);
 }
 
-/// Takes the outputs of the boxes that are there.
+/// Takes the outputs of the boxes that are there, and the leader's guides.
 void WallLink::follow_others() {
     others_->outputs.clear();
+    others_->has_guides = false;
     for (const auto& [box, note] : talk_->others()) {
         if (note.is_gone) continue;
+        others_->has_guides |= note.leads && note.has_guides;
         for (const BoxOutput& output : note.outputs)
             others_->outputs.push_back({.name = box + "/" + output.name,
                                         .width = output.width,

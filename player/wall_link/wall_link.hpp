@@ -21,6 +21,7 @@ namespace vitrine::player {
 class Screen;
 class Show;
 class Stage;
+class Stages;
 
 /// A box's part in a wall of several boxes: it talks to the others by way of vitrine-link, which alone speaks
 /// to the network, and keeps the time that all share. For a box that shows its wall alone it only counts the
@@ -48,10 +49,10 @@ class WallLink {
     /// The moment of the steady clock at which now() is 0, as far as now() goes on as it does.
     EventLoop::Clock::time_point start() const { return clock_.start(); }
 
-    /// Call before each frame: the stage hears what the others have said, and how they were touched.
+    /// Call before each frame: the first stage hears what the others have said, and how they were touched.
     /// @param screens  of this box; none: if it follows, it hears the newest once it has one
     /// @param now      of the frame
-    void direct(Stage& stage, std::span<Screen* const> screens, std::chrono::nanoseconds now);
+    void direct(Stages& stages, std::span<Screen* const> screens, std::chrono::nanoseconds now);
 
     /// Call after each frame: says what there is to say.
     void speak(Show& show, std::chrono::nanoseconds now);
@@ -74,6 +75,7 @@ class WallLink {
     std::unique_ptr<BoxTalk> talk_;         // none: the wall is this box's alone
     std::vector<WallMessage> heard_;
     std::vector<BoxOutput> outputs_;
+    bool has_guides_ = false;
     std::string complaint_;  // the last one
     std::string link_says_ = "vitrine-link is not there";
     bool is_linked_ = false;

@@ -57,6 +57,7 @@ constexpr std::array letters{
     Letter{'9', "051636454130100102133342"},
     Letter{'-', "0343"},
     Letter{'.', "2526"},
+    Letter{'/', "0640"},
     Letter{',', "2516"},
     Letter{' ', ""},
 };

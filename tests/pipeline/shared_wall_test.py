@@ -222,18 +222,26 @@ class Wall(unittest.TestCase):
         far = (time.localtime().tm_hour + 12) % 24
         return "--output.on", f"{far:02}:00-{far:02}:59"
 
-    def test_a_follower_whose_display_is_off_tells_that_it_has_none(self):
+    def told(self, box, what):
+        """A fact that a box has told of itself. None: it has told nothing."""
+        ask = ["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
+               "-t", f"vitrine/lobby/box/{box}", "-C", "1", "-W", "2", "-F", "%p"]
+        note = subprocess.run(ask, capture_output=True, text=True).stdout
+        return json.loads(note).get(what) if note else None
+
+    def ctl(self, box, *words):
+        return subprocess.run([CTL, *words], env=self.environment(box), capture_output=True, text=True, timeout=PATIENCE)
+
+    def test_a_follower_whose_display_is_off_tells_that_it_has_none_and_leaves_commands_to_the_leader(self):
         self.start_leader("alone")
         self.start_player(self.right, "off", "--media.root", self.folder / "none", *self.off_now(), films=False)
-        ask = ["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
-               "-t", "vitrine/lobby/box/right", "-C", "1", "-W", "2", "-F", "%p"]
-
-        def outputs():
-            told = subprocess.run(ask, capture_output=True, text=True).stdout
-            return json.loads(told).get("outputs") if told else None
-
-        until("the follower tells of its displays", lambda: outputs() is not None)
-        self.assertEqual(outputs(), [])
+        until("the follower tells of its displays", lambda: self.told("right", "outputs") is not None)
+        self.assertEqual(self.told("right", "outputs"), [])
+        for words in (("next",), ("pause",), ("pin", "photo0.png"), ("pin", "0"), ("remove", "photo0.png"), ("layout", "save", "a"), ("layout", "load", "a")):
+            refused = self.ctl(self.right, *words)
+            self.assertEqual((refused.returncode, "the box that leads decides" in refused.stderr), (1, True), f"{words}: {refused}")
+        self.assertEqual(self.ctl(self.left, "canvas").returncode, 0)
+        until("the leader tells of its guides", lambda: self.told("left", "has_guides"))
 
     def test_a_leader_whose_display_is_off_leads(self):
         leader = self.start_player(self.left, "dark", "--media.root", self.media, "--layout.slots", 1, "--show.dwell_seconds", 2, "--show.order", "name",

@@ -41,7 +41,9 @@ BoxOutput output_in(const ActJson& json) {
 }
 
 BoxNote box_note_in(const ActJson& json) {
-    BoxNote note{.leads = json.value("leads", false), .is_gone = json.value("gone", false)};
+    BoxNote note{.leads = json.value("leads", false),
+                 .is_gone = json.value("gone", false),
+                 .has_guides = json.value("has_guides", false)};
     if (json.contains("outputs"))
         for (const ActJson& output : array_in(json, "outputs", max_outputs))
             note.outputs.push_back(output_in(output));
@@ -68,6 +70,7 @@ template <typename Read> auto read_json(std::string_view text, Read read) {
 std::string to_json(const BoxNote& note) {
     ActJson json{{"version", 1},
                  {"leads", note.leads},
+                 {"has_guides", note.has_guides},
                  {"has_right_clock", note.has_right_clock},
                  {"difference_us", note.difference.count()},
                  {"outputs", ActJson::array()},

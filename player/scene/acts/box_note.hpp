@@ -23,7 +23,8 @@ struct BoxOutput {
 /// The facts that a box of a wall tells the others of itself.
 struct BoxNote {
     bool leads = false;
-    bool is_gone = false;  // vitrine-link says so: the box has not said goodbye
+    bool is_gone = false;     // vitrine-link says so: the box has not said goodbye
+    bool has_guides = false;  // it draws guides for placing screens; if it leads, all boxes do
     std::vector<BoxOutput> outputs = {};
     std::optional<ActName> shown = {};        // the act that it draws; none: none yet
     std::vector<std::string> lacking = {};    // paths of shots that it has not got; at most 100

@@ -136,6 +136,13 @@ TEST_CASE("a guide shows the name, the place and the rulers of its screen in the
     CHECK(guide.part.min.x / guide.unit + guide.origin.x == doctest::Approx(230));
 }
 
+TEST_CASE("the guide of one of several boxes shows the name by which output.canvas names its screen") {
+    Pair pair("here/offscreen-1 0,0");
+    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
+    pair.follow(pair.display.screens(), 0s);
+    CHECK(pair.outputs.guide_view(*pair.display.screens()[0], {100, 50}).name == "here/offscreen-1");
+}
+
 TEST_CASE("the diagonal of a canvas goes on from one guide to the next") {
     const Box left{{0, 0}, {320, 240}};
     const Box right{{360, 0}, {680, 240}};

@@ -3,11 +3,15 @@
 #include "base/settings/settings.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/playback/source_pool.hpp"
+#include "player/render/renderer.hpp"
 #include "player/scene/chosen_sound.hpp"
 #include "player/scene/show.hpp"
+#include "player/stage/output_canvas.hpp"
 #include "tests/player/scene/scene_media.hpp"
 
 #include <doctest/doctest.h>
+
+#include <memory>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -56,6 +60,28 @@ TEST_CASE("the first stage that is seen has a screen, if each output has a folde
     CHECK_FALSE(first_seen(stages).screens().empty());
     stages.set_screens(screens.subspan(1), 1s);
     CHECK(first_seen(stages).files().folder() == "lobby");
+}
+
+TEST_CASE("the guides of the box that leads are drawn here, too") {
+    Settings settings;
+    settings.wall = {.role = WallRole::follow, .box = "here"};
+    OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
+    Renderer renderer(1, 1);
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    const auto others = std::make_shared<OtherOutputs>();
+    Stages stages(settings, sources, false, others);
+    const auto screens = display.screens();
+    const auto seen = [&](std::chrono::nanoseconds now) {
+        stages.set_screens(screens, now);
+        stages.show(now, &renderer, false);
+        return dynamic_cast<OffscreenScreen&>(*screens[0]).picture().pixels;
+    };
+    const auto plain = seen(0s);
+    others->has_guides = true;
+    CHECK(seen(0s) != plain);
+    CHECK_FALSE(stages.has_guides());
+    others->has_guides = false;
+    CHECK(seen(0s) == plain);
 }
 
 TEST_CASE("stages that are made anew have no files yet") {
