@@ -627,6 +627,8 @@ CURES = [
          "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
     Cure("guides on the displays of the leader alone", "player/stage/stages.cpp",
          "has_guides_ || (others_ && others_->has_guides)", "has_guides_", "stage_test.stages_test"),
+    Cure("a QR code that the other boxes do not know", "player/stage/stage.cpp",
+         "        words_->set_words(followed->shown()->words);\n", "", "stage_test.stage_test"),
 ]
 
 

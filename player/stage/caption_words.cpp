@@ -32,7 +32,7 @@ std::string caption_on_wall(const std::string& path, const ShowHints& hints, con
 
 void CaptionWords::draw(Frame& frame, const ShowHints& hints, const RecordList& files) {
     const bool has_wall_words = !wall_.code.empty() || !wall_.share.empty();
-    if (choice_ == CaptionChoice::none && !has_wall_words && frame.captions.empty()) return;
+    if (wall_.captions == CaptionChoice::none && !has_wall_words && frame.captions.empty()) return;
     follow(frame, [&](Kind kind, const std::string& path) { return text_of(kind, path, hints, files); });
     take_pictures(frame.canvas);
     for (auto& [key, caption] : captions_) {
@@ -65,7 +65,9 @@ std::string CaptionWords::text_of(Kind kind, const std::string& path, const Show
                                   const RecordList& files) const {
     if (kind == Kind::wall_code) return wall_.code;
     if (kind == Kind::caption)
-        return choice_ == CaptionChoice::none ? "" : caption_on_wall(path, hints, files.find(path), choice_);
+        return wall_.captions == CaptionChoice::none
+                   ? ""
+                   : caption_on_wall(path, hints, files.find(path), wall_.captions);
     const ShowHints::Entry file = hints.find(path);
     return file ? file->hints.code.value_or("") : "";
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/settings/choices.hpp"
+#include "player/scene/acts/wall_act.hpp"
 #include "player/scene/files/show_files.hpp"
 #include "player/scene/frame.hpp"
 #include "player/words/word_loader.hpp"
@@ -23,18 +24,15 @@ namespace vitrine::player {
 std::string caption_on_wall(const std::string& path, const ShowHints& hints, const RecordList::Record& record,
                             CaptionChoice choice);
 
-/// The words of the whole wall.
-struct WallWords {
-    std::string code;   // the text of its own QR code; empty: none
-    std::string share;  // where files are dropped, for the idle picture; empty: nothing is told
-};
-
 /// Draws the captions and QR codes of the shots that stand, where nothing matters: asks for their pictures
 /// and adds those that are there as words. Looks for a place once for each shot and cell.
 class CaptionWords {
   public:
-    CaptionWords(std::filesystem::path state, CaptionChoice choice, WallWords wall)
-        : state_(std::move(state)), choice_(choice), wall_(std::move(wall)) {}
+    CaptionWords(std::filesystem::path state, WallWords wall)
+        : state_(std::move(state)), wall_(std::move(wall)) {}
+
+    /// Draws these words of the whole wall from now on.
+    void set_words(const WallWords& wall) { wall_ = wall; }
 
     /// @param hints, files  have the captions
     void draw(Frame& frame, const ShowHints& hints, const RecordList& files);
@@ -69,7 +67,6 @@ class CaptionWords {
     Box taken_beside(Kind kind, const Caption& caption) const;
 
     std::filesystem::path state_;
-    CaptionChoice choice_;
     WallWords wall_;
     std::optional<WordLoader> loader_;  // made when a caption is first wanted
     std::set<std::string> wanted_;

@@ -16,9 +16,11 @@ namespace vitrine::player {
 /// Draws the names and captions of a frame: asks for their pictures, and adds those that are there as words.
 class FolderWords {
   public:
-    explicit FolderWords(std::filesystem::path state, CaptionChoice captions = CaptionChoice::none,
-                         WallWords wall = {})
-        : state_(std::move(state)), captions_(state_, captions, std::move(wall)) {}
+    explicit FolderWords(std::filesystem::path state, WallWords wall = {})
+        : state_(std::move(state)), captions_(state_, std::move(wall)) {}
+
+    /// Draws these words of the whole wall from now on.
+    void set_words(const WallWords& wall) { captions_.set_words(wall); }
 
     /// @param hints, files  have the captions
     void draw(Frame& frame, const ShowHints& hints = {}, const RecordList& files = {});

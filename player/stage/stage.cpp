@@ -27,6 +27,10 @@ using namespace std::chrono_literals;
 constexpr auto source_patience = 10s;    // longest wait of a frame for one source, if pictures set the pace
 constexpr int max_settling_steps = 100;  // each gives up at least one file
 
+WallWords words_of(const Settings& settings) {
+    return {.captions = settings.show.captions, .code = settings.show.qr, .share = share_address(settings)};
+}
+
 void set_canvas(const Canvas& canvas, GestureDispatch& gestures, ShowSwitch& shows) {
     gestures.set_canvas(canvas);
     shows.set_canvas(canvas);
@@ -44,14 +48,13 @@ Stage::Stage(const Settings& settings, StageOptions options, SourcePool& sources
       planner_(std::make_unique<WallPlanner>(settings, awaits_sources_)),
       painter_(std::make_unique<ScreenPainter>(settings, sources, std::move(options.others))),
       films_(std::make_unique<AudibleFilms>()),
-      words_(std::make_unique<FolderWords>(
-          settings.state.directory, settings.show.captions,
-          WallWords{.code = settings.show.qr, .share = share_address(settings)})),
+      words_(std::make_unique<FolderWords>(settings.state.directory, words_of(settings))),
       listener_(std::make_shared<const SourceListener>(
           SourceListener{.owner = options.number,
                          .call = [this](const SourceEvent& event) { shows_->handle_source_event(event); }})) {
     sources_.listen(listener_);
     if (settings.wall.role != WallRole::alone) hidden_since_.reset();  // shared time stands never still
+    if (LedShow* const led = wall().led()) led->set_words(words_of(settings));
 }
 
 Stage::~Stage() = default;
@@ -110,8 +113,10 @@ void Stage::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_fo
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
     if (const FollowedWall* const followed = wall().followed();
-        followed != nullptr && followed->shown() != nullptr)
+        followed != nullptr && followed->shown() != nullptr) {
         painter_->show_parts(*followed->shown());
+        words_->set_words(followed->shown()->words);
+    }
     shows_->fade(frame_);
     words_->draw(frame_, files_.hints(), files_.all());
     frame_.time = now - hidden_;

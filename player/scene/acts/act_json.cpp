@@ -21,7 +21,8 @@ constexpr int version = 1;
 constexpr double max_cell_length = 1000;  // px, of a gutter, a radius or a feather
 constexpr double max_pan_speed = 1e5;     // px a second
 constexpr std::size_t max_parts = 64;
-constexpr int max_folders = 2;  // open behind one another, of which something is seen
+constexpr std::size_t max_words = 1000;  // bytes of a code, or of an address
+constexpr int max_folders = 2;           // open behind one another, of which something is seen
 constexpr auto max_change_time = 60s;
 constexpr std::chrono::nanoseconds max_lag = 24h * 3650;  // sums of times stay in range
 
@@ -271,6 +272,20 @@ ActPan pan_in(const ActJson& json) {
                        .last = number_in(json.at("last"), max_ribbon_length)}};
 }
 
+ActJson words_to_json(const WallWords& words) {
+    return {{"captions", static_cast<int>(words.captions)}, {"code", words.code}, {"share", words.share}};
+}
+
+WallWords words_in(const ActJson& json) {
+    constexpr auto last = static_cast<std::int64_t>(CaptionChoice::names);
+    WallWords words{.captions = static_cast<CaptionChoice>(whole_in(json, "captions", 0, last)),
+                    .code = json.at("code").get<std::string>(),
+                    .share = json.at("share").get<std::string>()};
+    if (std::max(words.code.size(), words.share.size()) > max_words)
+        throw ActFault("an act has words that are too long");
+    return words;
+}
+
 ActJson act_to_json(const WallAct& act);
 WallAct act_in(const ActJson& json, int folders);
 
@@ -319,6 +334,7 @@ ActJson act_to_json(const WallAct& act) {
     if (act.change) json["change"] = change_to_json(*act.change, shots);
     if (act.folder) json["folder"] = folder_to_json(*act.folder);
     if (act.pan) json["pan"] = pan_to_json(*act.pan);
+    if (act.words != WallWords{}) json["words"] = words_to_json(act.words);
     json["shots"] = std::move(shots.json);
     return json;
 }
@@ -345,6 +361,7 @@ WallAct act_in(const ActJson& json, int folders) {
     check_cells(act.shown);
     if (json.contains("change")) take_change(act, json.at("change"), shots);
     if (json.contains("folder")) act.folder = folder_in(json.at("folder"), folders);
+    if (json.contains("words")) act.words = words_in(json.at("words"));
     if (!json.contains("pan")) return act;
     if (act.change || act.folder) throw ActFault("an act has a panning wall that changes, or a folder on it");
     act.pan = pan_in(json.at("pan"));

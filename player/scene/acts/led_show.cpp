@@ -68,6 +68,7 @@ void LedShow::tell(WallAct act) {
     wants_act_ = false;
     if (acts_ == 0 && last_wall(act).empty()) return;
     act.name.generation = ++acts_;
+    act.words = words_;
     const auto same = std::ranges::find(parts_, act.canvas, &ActParts::canvas);
     if (same != parts_.end()) act.parts = same->parts;
     act_ = std::move(act);

@@ -56,6 +56,9 @@ class LedShow : public ForwardingShow {
     /// @param parts  the newest first
     void set_parts(std::vector<ActParts> parts);
 
+    /// Sets the words that all boxes draw over the wall.
+    void set_words(WallWords words) { words_ = std::move(words); }
+
     /// Tells of the tapestry that is shown in place of the wall. @param seen  none: the wall is shown
     void tell_tapestry(std::optional<TapestryMoment> seen) { tapestry_ = std::move(seen); }
 
@@ -88,6 +91,7 @@ class LedShow : public ForwardingShow {
     virtual std::chrono::nanoseconds local_time() const { return now_; }
 
     std::vector<ActParts> parts_;  // the newest first
+    WallWords words_;
     std::chrono::nanoseconds now_{0};
     AwaitedSources awaited_;
     WallAct prepared_;                    // the last preparation

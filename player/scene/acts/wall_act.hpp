@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/geometry/box.hpp"
+#include "base/settings/choices.hpp"
 #include "player/scene/lifted_shots.hpp"
 #include "player/scene/pan/pan_course.hpp"
 #include "player/scene/transition.hpp"
@@ -51,6 +52,15 @@ struct ActPan {
     bool operator==(const ActPan&) const = default;
 };
 
+/// The words over a whole wall.
+struct WallWords {
+    CaptionChoice captions = CaptionChoice::none;
+    std::string code;   // the text of its own QR code; empty: none
+    std::string share;  // where files are dropped, for the idle picture; empty: nothing is told
+
+    bool operator==(const WallWords&) const = default;
+};
+
 struct WallAct;
 
 /// The part of an act of the wall of an opened folder: the wall behind it, and the way between both.
@@ -89,6 +99,7 @@ struct WallAct {
     std::optional<WallChange> change;      // none: the wall stands
     std::optional<ActFolder> folder = {};  // none: no folder is open
     std::optional<ActPan> pan = {};        // none: the wall does not pan; one that does has no change
+    WallWords words = {};
 };
 
 /// The place of an act's canvas on that of another one: each output that both have stays where it is. If they

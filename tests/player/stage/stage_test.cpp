@@ -1,9 +1,11 @@
 #include "player/stage/stage.hpp"
 
 #include "base/settings/settings.hpp"
+#include "base/state/word_picture.hpp"
 #include "player/display/offscreen_display.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/acts/followed_wall.hpp"
 #include "player/scene/acts/led_show.hpp"
 #include "player/scene/show.hpp"
 #include "player/stage/output_canvas.hpp"
@@ -16,6 +18,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -295,6 +298,7 @@ TEST_CASE("a box without a screen leads the wall on the screens of other boxes")
     settings.show.dwell = 2s;
     settings.wall = {.role = WallRole::lead, .box = "here"};
     settings.output.canvas = "there/DP-1 0,0";
+    settings.show.qr = "https://example.org";
     const auto others = std::make_shared<OtherOutputs>();
     Theatre theatre({{160, 90}}, settings, "", others);
     Stage& stage = *theatre.stage;
@@ -309,12 +313,49 @@ TEST_CASE("a box without a screen leads the wall on the screens of other boxes")
         const LedNews news = stage.wall().led()->take_news();
         if (!news.act) continue;
         CHECK(news.act->canvas == Vec2{320, 180});
+        CHECK(news.act->words.code == settings.show.qr);
+        CHECK(news.act->words.captions == CaptionChoice::written);
         for (const PlacedShot& placed : last_wall(*news.act))
             told.insert(placed.shot.key.path);
     }
     CHECK(told == std::set<std::string>{"a/red.png", "b/blue.png"});
     play(theatre, 12s, 13s);  // now it has a screen, too
     CHECK_FALSE(is_near(theatre.picture(0), 80, 45, black));
+}
+
+TEST_CASE("a box that follows draws the words that the leader tells, not its own") {
+    const TemporaryDirectory directory;
+    Settings settings;
+    settings.wall = {.role = WallRole::follow, .box = "there"};
+    settings.state.directory = directory.path.string();
+    settings.show.share_address = "its own";
+    int width = 2;
+    for (const char* const words : {"its own", "the leader's"}) {
+        width *= 2;
+        const std::filesystem::path file = word_picture(directory.path, words);
+        std::filesystem::create_directories(file.parent_path());
+        save_png({.width = width,
+                  .height = 2,
+                  .pixels = std::vector<std::byte>(static_cast<std::size_t>(width) * 8)},
+                 file);
+    }
+    OffscreenDisplay display({.screens = {{160, 90}}}, {}, 30);
+    Renderer renderer(1, 1);
+    SourcePool sources({.media = {}, .store = {}});
+    Stage stage(settings, {}, sources);
+    stage.wall().followed()->set_clock(0s, true);
+    stage.wall().followed()->take(
+        {.name = {.run = 1, .generation = 1}, .canvas = {160, 90}, .words = {.share = "the leader's"}});
+    const auto screens = display.screens();
+    std::vector<WordItem> drawn;
+    for (auto now = 0ms; now < 60s && drawn.empty(); now += 100ms) {
+        stage.set_screens({screens.begin(), screens.end()}, now);
+        stage.show(now, &renderer);
+        drawn = stage.frame().words;
+        std::this_thread::sleep_for(1ms);
+    }
+    REQUIRE(drawn.size() == 1);
+    CHECK(drawn[0].picture->width == 8);
 }
 
 TEST_CASE("a screen that hangs beyond the canvas of a frame shows the idle picture, and never black") {

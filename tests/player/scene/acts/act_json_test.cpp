@@ -50,6 +50,7 @@ WallAct panning_act(std::uint64_t seed) {
     made.change.reset();
     made.pan = ActPan{.origin = 1e9,
                       .course = {.view = 1e9 + 0.1, .since = 33ns, .speed = 29.97, .last = 1e9 + 200}};
+    made.words = {.captions = CaptionChoice::written, .code = "a", .share = "b"};
     return made;
 }
 
@@ -164,6 +165,18 @@ TEST_CASE("the way of a panning wall is read as it was written") {
     CHECK(act_frame(read, 2s).view.x == doctest::Approx(60.04));
     CHECK(act_frame(read, 1h).view.x == doctest::Approx(200));
     written.change = act(2).change;
+    CHECK_THROWS_AS(act_from_json(to_json(written)), std::runtime_error);
+}
+
+TEST_CASE("the words of a wall are read as they were written, and bounded") {
+    WallAct written = act(2);
+    CHECK(act_from_json(to_json(written)).words == WallWords{});
+    written.words = {
+        .captions = CaptionChoice::names, .code = "https://example.org", .share = "\\\\box\\media"};
+    CHECK(act_from_json(to_json(written)).words == written.words);
+    written.words.code = std::string(5000, 'a');
+    CHECK_THROWS_AS(act_from_json(to_json(written)), std::runtime_error);
+    written.words = {.captions = static_cast<CaptionChoice>(7)};
     CHECK_THROWS_AS(act_from_json(to_json(written)), std::runtime_error);
 }
 
