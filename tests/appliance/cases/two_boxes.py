@@ -115,7 +115,7 @@ def lead_without_a_panel(boxes):
     """The leader's panel is pulled out: a change of its folder is seen on the other box, and on the panel when it is back."""
     leader, follower = boxes
     leader.pull()
-    leader.sh(f"rm {MEDIA}/magenta.png")
+    leader.sh(f"rm {MEDIA}/magenta.mp4")
     wait_for("the change of a leader without a panel", lambda: follower.files_in(follower.machine.picture()) == {"red"})
     leader.panel()
     leader.wait_for_wall("the leader's wall on its panel again", files=("red",))
