@@ -629,6 +629,8 @@ CURES = [
          "has_guides_ || (others_ && others_->has_guides)", "has_guides_", "stage_test.stages_test"),
     Cure("a QR code that the other boxes do not know", "player/stage/stage.cpp",
          "        words_->set_words(followed->shown()->words);\n", "", "stage_test.stage_test"),
+    Cure("captions that go as soon as the other boxes are told of a change", "player/scene/wall.cpp",
+         "is_in_change(*this) && change_->began <= now", "is_in_change(*this)", "acts_test.shared_wall_test"),
 ]
 
 

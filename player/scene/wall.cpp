@@ -279,7 +279,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
     touch_.lifted().draw(step.frame);
     if (touched_film_.moment()) draw_film(step.frame, *touched_film_.moment());
     if (!Wall::is_touched())
-        step.frame.captions = is_in_change(*this)
+        step.frame.captions = is_in_change(*this) && change_->began <= now
                                   ? kept_caption_rooms(shown_, change_->wall, shown_canvas_.bands)
                                   : caption_rooms(shown_, shown_canvas_.bands);
     step.retired =

@@ -98,6 +98,7 @@ std::vector<CaptionRoom> captions_of(const WallAct& act, std::span<const Box> be
     if (act.pan) return {};
     if (has_ended(act, now)) return caption_rooms(last_wall(act), bezels);
     if (!act.change || act.change->way) return {};
+    if (now < act.change->began) return caption_rooms(act.shown, bezels);
     return kept_caption_rooms(act.shown, last_wall(act), bezels);
 }
 

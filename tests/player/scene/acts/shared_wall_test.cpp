@@ -427,12 +427,18 @@ TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some st
         {{.canvas = {1280, 720}, .parts = {{"lead/a", {.box = left}}, {"f0/a", {.box = right}}}}});
     house.run(6s);
     int late = 0;  // frames after which the follower hears of a change
+    int told = 0;
     int standing = 0;
     int changing = 0;
     for (int k = 0; k < 300; ++k) {
         house.run(33ms);
         const Frame& lead = house.boxes[0].last;
         const Frame& follower = house.boxes[1].last;
+        const WallParts parts = house.led().parts();
+        if (parts.change && lead.time < parts.change->began) {
+            CHECK(lead.captions.size() == parts.shown.size());
+            ++told;
+        }
         if (house.boxes[0].frames.back().content != house.boxes[1].frames.back().content) continue;
         if (lead.captions.size() != follower.captions.size()) {
             ++late;
@@ -447,6 +453,7 @@ TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some st
         }
     }
     CHECK(late < 15);
+    CHECK(told > 30);  // a second passes until a change begins that the others were told of
     CHECK(standing > 100);
     CHECK(changing > 10);
 }
