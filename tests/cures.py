@@ -631,6 +631,8 @@ CURES = [
          "        words_->set_words(followed->shown()->words);\n", "", "stage_test.stage_test"),
     Cure("captions that go as soon as the other boxes are told of a change", "player/scene/wall.cpp",
          "is_in_change(*this) && change_->began <= now", "is_in_change(*this)", "acts_test.shared_wall_test"),
+    Cure("a film that is heard on each box of a wall", "player/playback/sound/wall_sound.cpp",
+         "    if (one && one->is_elsewhere) one = nullptr;\n", "", "sound_test.wall_sound_test"),
 ]
 
 

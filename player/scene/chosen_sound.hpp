@@ -19,6 +19,8 @@ struct AudibleShot {
     std::optional<StoredSound> stored;
     std::chrono::nanoseconds local{0};  // since the shot first appeared; it plays in a loop
     double area = 0;                    // area of its picture on the wall, canvas px squared
+    Vec2 middle = {};                   // of its picture, canvas px
+    bool is_elsewhere = false;          // another box of the wall lets it be heard
 
     std::chrono::nanoseconds duration() const { return end - begin; }
 };

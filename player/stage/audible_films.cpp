@@ -22,6 +22,7 @@ std::vector<AudibleShot> AudibleFilms::shots(const Frame& frame, const ShowHints
         AudibleShot& shot = shots.emplace_back(film->second);
         const Vec2 size = item.picture * item.placement.scale;
         shot.area = size.x * size.y;
+        shot.middle = item.placement.offset + size * 0.5 - frame.view;
         shot.local = item.local;
     }
     return shots;

@@ -31,6 +31,16 @@ WallWords words_of(const Settings& settings) {
     return {.captions = settings.show.captions, .code = settings.show.qr, .share = share_address(settings)};
 }
 
+/// The parts that the outputs of all boxes show of a canvas. Empty: each box shows all of it.
+std::map<std::string, ActPart> all_parts(Show& wall, const ScreenPainter& painter, Vec2 canvas) {
+    if (const FollowedWall* const followed = wall.followed())
+        return followed->shown() != nullptr ? followed->shown()->parts : std::map<std::string, ActPart>();
+    if (wall.led() != nullptr)
+        for (const ActParts& known : painter.parts())
+            if (known.canvas == canvas) return known.parts;
+    return {};
+}
+
 void set_canvas(const Canvas& canvas, GestureDispatch& gestures, ShowSwitch& shows) {
     gestures.set_canvas(canvas);
     shows.set_canvas(canvas);
@@ -180,7 +190,12 @@ void Stage::set_controls(const ShowControls& controls) {
 
 std::vector<AudibleShot> Stage::audible() const {
     if (is_paused_ || painter_->screens().empty()) return {};
-    return films_->shots(frame_, files_.hints());
+    std::vector<AudibleShot> shots = films_->shots(frame_, files_.hints());
+    if (shots.empty() || settings_.wall.role == WallRole::alone) return shots;
+    const std::map<std::string, ActPart> parts = all_parts(wall(), *painter_, frame_.canvas);
+    for (AudibleShot& shot : shots)
+        shot.is_elsewhere = !has_point(box_name(settings_), parts, shot.middle);
+    return shots;
 }
 
 }  // namespace vitrine::player

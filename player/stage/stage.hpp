@@ -105,7 +105,8 @@ class Stage {
     /// Draws guides for placing the screens above all, or ends that.
     void show_guides(bool is_on);
 
-    /// The shots in frame() whose hints ask for sound; none while the wall is paused.
+    /// The shots in frame() whose hints ask for sound; none while the wall is paused. On a wall of several
+    /// boxes one of them lets a shot be heard: the one that shows its middle.
     std::vector<AudibleShot> audible() const;
 
     /// The frame of the last show().

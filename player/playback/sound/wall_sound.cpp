@@ -26,7 +26,9 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     std::erase_if(sound, [&](const AudibleShot& shot) {
         return shot.duration() <= 0ns || failed_.contains(shot.source) || !is_stored(shot);
     });
-    const AudibleShot* one = chosen_sound(sound, heard());
+    const AudibleShot* one = chosen_sound(sound, chosen_);
+    chosen_ = one ? std::optional(one->source) : std::nullopt;
+    if (one && one->is_elsewhere) one = nullptr;
     const auto origin = one ? moment - one->local : 0ns;
     if (now_ &&
         (!one || one->source != now_->shot.source || std::chrono::abs(origin - now_->origin) > max_apart))

@@ -30,7 +30,8 @@ class WallSound {
 
     /// Updates the sound to the shots on the walls. Call with every frame. Fades a sound out if its shot is
     /// gone, or if it is not at the same place of its loop as the picture.
-    /// @param shots   the shots that may be heard
+    /// @param shots   the shots that may be heard; if another box lets the chosen one be heard, this is
+    /// silent
     /// @param moment  time of the frame, by the monotonic clock
     void follow(std::span<const AudibleShot> shots, std::chrono::nanoseconds moment);
 
@@ -56,6 +57,7 @@ class WallSound {
     MediaPlaces places_;
     SoundSink make_sink_;
     std::optional<Playing> now_;
+    std::optional<SourceId> chosen_;  // the shot that is heard, here or on another box; none: silence
     std::set<SourceId> failed_;
     std::vector<std::unique_ptr<FilmSound>> ending_;
     std::string complaint_;       // the last complaint about the device

@@ -6,6 +6,7 @@
 #include "player/scene/wall_cells.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace vitrine::player {
@@ -100,6 +101,26 @@ std::vector<CaptionRoom> captions_of(const WallAct& act, std::span<const Box> be
     if (!act.change || act.change->way) return {};
     if (now < act.change->began) return caption_rooms(act.shown, bezels);
     return kept_caption_rooms(act.shown, last_wall(act), bezels);
+}
+
+bool has_point(const std::string& box, const std::map<std::string, ActPart>& parts, Vec2 point) {
+    const std::string prefix = box + "/";
+    const auto away = [&](const Box& part) {
+        const Vec2 nearest{std::clamp(point.x, part.min.x, part.max.x),
+                           std::clamp(point.y, part.min.y, part.max.y)};
+        return length(point - nearest);
+    };
+    double least = std::numeric_limits<double>::infinity();
+    bool is_own = true;  // the nearest one's
+    bool has_own = false;
+    for (const auto& [name, part] : parts) {
+        if (part.box.is_empty()) continue;
+        has_own |= name.starts_with(prefix);
+        if (away(part.box) >= least) continue;
+        least = away(part.box);
+        is_own = name.starts_with(prefix);
+    }
+    return is_own || !has_own;
 }
 
 std::vector<const WallAct*> walls_of(const WallAct& act) {

@@ -135,6 +135,12 @@ std::vector<CaptionRoom> captions_of(const WallAct& act, std::span<const Box> be
 /// The bezels between the outputs of an act, canvas px.
 std::vector<Box> bezels_of(const WallAct& act);
 
+/// True if the output of a box shows a point of the canvas, or hangs nearer to it than those of all others;
+/// so exactly one box has each point. A box without an output has each.
+/// @param parts  by BOX/OUTPUT
+/// @param point  canvas px
+bool has_point(const std::string& box, const std::map<std::string, ActPart>& parts, Vec2 point);
+
 /// The act and those of the walls behind.
 std::vector<const WallAct*> walls_of(const WallAct& act);
 

@@ -5,6 +5,7 @@
 #include "player/render/renderer.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/stage/output_canvas.hpp"
 #include "player/stage/stage.hpp"
 #include "tests/player/playback/numbered_film.hpp"
 #include "tests/player/playback/sound/sounding_film.hpp"
@@ -44,10 +45,15 @@ Settings one_film_at_a_time() {
 
 /// Two films that take turns, of which one is to be heard.
 struct Theatre {
-    Theatre() {
+    explicit Theatre(const std::string& canvas = "") {
+        if (!canvas.empty()) settings.wall = {.role = WallRole::lead, .box = "here"};
+        settings.output.canvas = canvas;
+        if (!canvas.empty()) others->outputs = {{"there/DP-1", 160, 120, {}}};
         write_sounding_film(folder.path / "a.mp4");
         write_sounding_film(folder.path / "sound b.mp4");
-        stage.emplace(settings, StageOptions{.number = 0, .folder = {}, .awaits_sources = true}, sources);
+        stage.emplace(settings,
+                      StageOptions{.number = 0, .folder = {}, .awaits_sources = true, .others = others},
+                      sources);
         stage->set_catalogue(std::vector{record_of("a.mp4"), record_of("sound b.mp4")},
                              {{"sound b.mp4", {.sound = true}}});
     }
@@ -79,6 +85,7 @@ struct Theatre {
     }
 
     Folder folder;
+    std::shared_ptr<OtherOutputs> others = std::make_shared<OtherOutputs>();
     Settings settings = one_film_at_a_time();
     OffscreenDisplay display{{.screens = {{160, 120}}}, {}, 30};
     Renderer renderer{1, 1};
@@ -103,6 +110,21 @@ TEST_CASE("a film whose name says so is heard in time with its picture, and noth
     REQUIRE(theatre.stage->audible().size() == 1);
 
     CHECK(theatre.hear(sound, recorder).value_or(0) > 50);
+}
+
+TEST_CASE("of several boxes with one wall the one that shows a film's middle lets it be heard") {
+    Theatre theatre("offscreen-1 0,0; there/DP-1 170,0");
+    int here = 0;
+    int there = 0;
+    for (int second = 0; second < 60; ++second) {
+        theatre.show(std::chrono::seconds(second));
+        for (const AudibleShot& shot : theatre.stage->audible()) {
+            CHECK(shot.is_elsewhere == shot.middle.x > 165);
+            ++(shot.is_elsewhere ? there : here);
+        }
+    }
+    CHECK(here > 5);
+    CHECK(there > 5);
 }
 
 TEST_CASE("nothing is heard of a wall that is paused, or that no screen shows") {

@@ -69,6 +69,20 @@ TEST_CASE("one of two films is heard, and the other when that one has gone") {
     CHECK_FALSE(hall.sound.heard().has_value());
 }
 
+TEST_CASE("while another box lets a film be heard this one is silent, and does not choose another film") {
+    Hall hall;
+    write_sounding_film(hall.places.store + "/a.mp4", {.seconds = 2});
+    write_sounding_film(hall.places.store + "/b.mp4", {.seconds = 2});
+    AudibleShot one = shot(1, "a.mp4");
+    one.is_elsewhere = true;
+    CHECK(hall.comes_true({one, shot(2, "b.mp4", 900)}, [&, i = 0]() mutable { return ++i > 20; }));
+    CHECK(hall.comes_true({one, shot(2, "b.mp4", 1200)}, [&, i = 0]() mutable { return ++i > 20; }));
+    CHECK(hall.recorder.sinks() == 0);
+    one.is_elsewhere = false;  // it has moved
+    CHECK(hall.comes_true({one, shot(2, "b.mp4", 1200)}, [&] { return hall.recorder.sinks() == 1; }));
+    CHECK(hall.sound.heard() == SourceId{1});
+}
+
 TEST_CASE("a film is silent until its sound is in the store, and the journal says so") {
     Hall hall;
     write_sounding_film(hall.places.media + "/a.mp4", {.seconds = 2});
