@@ -190,6 +190,9 @@ void Stage::set_controls(const ShowControls& controls) {
 
 std::vector<AudibleShot> Stage::audible() const {
     if (is_paused_ || painter_->screens().empty()) return {};
+    if (const FollowedWall* const followed = wall().followed();
+        followed != nullptr && followed->shown() != nullptr && followed->shown()->is_paused)
+        return {};
     std::vector<AudibleShot> shots = films_->shots(frame_, files_.hints());
     if (shots.empty() || settings_.wall.role == WallRole::alone) return shots;
     const std::map<std::string, ActPart> parts = all_parts(wall(), *painter_, frame_.canvas);

@@ -335,6 +335,7 @@ ActJson act_to_json(const WallAct& act) {
     if (act.folder) json["folder"] = folder_to_json(*act.folder);
     if (act.pan) json["pan"] = pan_to_json(*act.pan);
     if (act.words != WallWords{}) json["words"] = words_to_json(act.words);
+    if (act.is_paused) json["paused"] = true;
     json["shots"] = std::move(shots.json);
     return json;
 }
@@ -362,6 +363,7 @@ WallAct act_in(const ActJson& json, int folders) {
     if (json.contains("change")) take_change(act, json.at("change"), shots);
     if (json.contains("folder")) act.folder = folder_in(json.at("folder"), folders);
     if (json.contains("words")) act.words = words_in(json.at("words"));
+    act.is_paused = json.value("paused", false);
     if (!json.contains("pan")) return act;
     if (act.change || act.folder) throw ActFault("an act has a panning wall that changes, or a folder on it");
     act.pan = pan_in(json.at("pan"));

@@ -1,5 +1,7 @@
 #include "player/scene/acts/led_show.hpp"
 
+#include "player/scene/show_controls.hpp"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -19,6 +21,11 @@ void LedShow::set_catalogue(const RecordList& records, const ShowHints& hints) {
     if (update_stored(prepared_.shown, known).empty()) return;
     prepared_.name.generation = awaited_.prepare_again();
     preparation_ = prepared_;
+}
+
+void LedShow::set_controls(const ShowControls& controls) {
+    ForwardingShow::set_controls(controls);
+    if (std::exchange(is_paused_, controls.is_paused) != controls.is_paused) wants_act_ = true;
 }
 
 void LedShow::source_ready(SourceId source) {
@@ -69,6 +76,7 @@ void LedShow::tell(WallAct act) {
     if (acts_ == 0 && last_wall(act).empty()) return;
     act.name.generation = ++acts_;
     act.words = words_;
+    act.is_paused = is_paused_;
     const auto same = std::ranges::find(parts_, act.canvas, &ActParts::canvas);
     if (same != parts_.end()) act.parts = same->parts;
     act_ = std::move(act);

@@ -43,6 +43,8 @@ class LedShow : public ForwardingShow {
     /// Tells a preparation again if the store has got one of its shots.
     void set_catalogue(const RecordList& records, const ShowHints& hints) override;
 
+    void set_controls(const ShowControls& controls) override;
+
     void source_ready(SourceId source) override;
     WallStep step(std::chrono::nanoseconds now) override;
 
@@ -92,6 +94,7 @@ class LedShow : public ForwardingShow {
 
     std::vector<ActParts> parts_;  // the newest first
     WallWords words_;
+    bool is_paused_ = false;
     std::chrono::nanoseconds now_{0};
     AwaitedSources awaited_;
     WallAct prepared_;                    // the last preparation

@@ -100,6 +100,7 @@ struct WallAct {
     std::optional<ActFolder> folder = {};  // none: no folder is open
     std::optional<ActPan> pan = {};        // none: the wall does not pan; one that does has no change
     WallWords words = {};
+    bool is_paused = false;  // the wall keeps its shots, and is silent
 };
 
 /// The place of an act's canvas on that of another one: each output that both have stays where it is. If they

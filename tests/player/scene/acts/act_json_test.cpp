@@ -174,6 +174,9 @@ TEST_CASE("the words of a wall are read as they were written, and bounded") {
     written.words = {
         .captions = CaptionChoice::names, .code = "https://example.org", .share = "\\\\box\\media"};
     CHECK(act_from_json(to_json(written)).words == written.words);
+    CHECK_FALSE(act_from_json(to_json(written)).is_paused);
+    written.is_paused = true;
+    CHECK(act_from_json(to_json(written)).is_paused);
     written.words.code = std::string(5000, 'a');
     CHECK_THROWS_AS(act_from_json(to_json(written)), std::runtime_error);
     written.words = {.captions = static_cast<CaptionChoice>(7)};

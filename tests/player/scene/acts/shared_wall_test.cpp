@@ -217,6 +217,18 @@ TEST_CASE("a box whose screens were dark shows the last act until it has the sho
     CHECK(box.frames.back().content == house.boxes[0].frames.back().content);
 }
 
+TEST_CASE("boxes that follow hear that the wall is paused, and that it goes on") {
+    SharedHouse house({.seed = 6});
+    house.run(8s);
+    for (const bool is_paused : {true, false}) {
+        house.led().set_controls({.is_paused = is_paused});
+        house.run(2s);
+        for (const std::size_t i : {1U, 2U})
+            CHECK(house.followed(i).shown()->is_paused == is_paused);
+    }
+    CHECK(house.boxes[1].gaps == 0);
+}
+
 TEST_CASE("an act that is too long for the others is not told, and the leader says so") {
     SharedHouse house({.seed = 5, .followers = 1});
     house.run(6s);
