@@ -119,7 +119,7 @@ TEST_CASE("of several boxes with one wall the one that shows a film's middle let
     for (int second = 0; second < 60; ++second) {
         theatre.show(std::chrono::seconds(second));
         for (const AudibleShot& shot : theatre.stage->audible()) {
-            CHECK(shot.is_elsewhere == shot.middle.x > 165);
+            CHECK(shot.is_elsewhere == (shot.middle.x > 165));
             ++(shot.is_elsewhere ? there : here);
         }
     }
