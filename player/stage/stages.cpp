@@ -77,7 +77,7 @@ ArrangedWalls Stages::arrangement() const {
     ArrangedWalls walls;
     for (const auto& stage : stages_) {
         const Show& wall = stage->wall();
-        if (stage->screens().empty() || !wall.opened_folder().empty()) continue;
+        if (!stage->is_seen() || !wall.opened_folder().empty()) continue;
         std::vector<SlotShot> shots = wall.standing();
         if (shots.empty() || shots.front().seat.area <= 0) continue;  // it keeps no places
         walls[stage->files().folder()] = {.canvas = stage->frame().canvas, .shots = std::move(shots)};

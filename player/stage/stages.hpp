@@ -47,7 +47,7 @@ class Stages {
     /// Arranges the walls anew. @param walls  by the folder of their stage; others stay as they are
     void arrange(const ArrangedWalls& walls);
 
-    /// The walls as they stand now: those that a screen shows, and in which no folder is open.
+    /// The walls as they stand now: those that are seen, and in which no folder is open.
     ArrangedWalls arrangement() const;
 
     /// Gives each screen to the stage of its output. @param screens  lent until the next call

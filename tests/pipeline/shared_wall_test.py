@@ -248,6 +248,7 @@ class Wall(unittest.TestCase):
                                    "--show.motion_milliseconds", 200, *self.off_now(), films=False)
         heard = self.listen()
         follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--duration", "16s")
+        until("the wall of the others is saved", lambda: self.ctl(self.left, "layout", "save", "a").returncode == 0)
         self.assertEqual(follower.wait(PATIENCE), 0, (self.right.root / "lit.log").read_text())
         leader.send_signal(signal.SIGTERM)
         ended, log = leader.wait(PATIENCE), (self.left.root / "dark.log").read_text()
