@@ -57,7 +57,7 @@ void leave_to_leader(CommandHandlers& handlers) {
         throw std::runtime_error("this box follows: the box that leads decides that; call vitrinectl there");
     };
     for (const Command& command : commands())
-        if (command.is_leaders) handlers.insert_or_assign(command.method, refuse);
+        if (command.is_for_leader) handlers.insert_or_assign(command.method, refuse);
 }
 
 template <typename T> void put(std::set<T>& set, const T& value, bool is_in) {

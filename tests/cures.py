@@ -628,7 +628,7 @@ CURES = [
     Cure("guides on the displays of the leader alone", "player/stage/stages.cpp",
          "has_guides_ || (others_ && others_->has_guides)", "has_guides_", "stage_test.stages_test"),
     Cure("a QR code that the other boxes do not know", "player/stage/stage.cpp",
-         "        words_->set_words(followed->shown()->words);\n", "", "stage_test.stage_test"),
+         "        words_->set_words(act->words);\n", "", "stage_test.stage_test"),
     Cure("captions that go as soon as the other boxes are told of a change", "player/scene/wall.cpp",
          "is_in_change(*this) && change_->began <= now", "is_in_change(*this)", "acts_test.shared_wall_test"),
     Cure("a film that is heard on each box of a wall", "player/playback/sound/wall_sound.cpp",

@@ -25,7 +25,8 @@ struct Command {
     const char* arguments;    // D-Bus signature
     const char* result;       // "s": JSON; "ay": a file or a layout; "a(suuh)": pictures; "": nothing
     bool is_for_all = false;  // true: anyone may call it; false: polkit decides
-    bool is_leaders = false;  // true: of several boxes with one wall, only the one that leads carries it out
+    bool is_for_leader =
+        false;                // true: of several boxes with one wall, only the one that leads carries it out
     bool is_on = true;        // value of the flag `b`
     const char* done = "";    // printed by vitrinectl before the path of the file
     const char* undone = "";  // the same if the flag is off

@@ -31,10 +31,15 @@ WallWords words_of(const Settings& settings) {
     return {.captions = settings.show.captions, .code = settings.show.qr, .share = share_address(settings)};
 }
 
+/// The act of another box that a wall draws. nullptr: none.
+const WallAct* followed_act(Show& wall) {
+    const FollowedWall* const followed = wall.followed();
+    return followed != nullptr ? followed->shown() : nullptr;
+}
+
 /// The parts that the outputs of all boxes show of a canvas. Empty: each box shows all of it.
 std::map<std::string, ActPart> all_parts(Show& wall, const ScreenPainter& painter, Vec2 canvas) {
-    if (const FollowedWall* const followed = wall.followed())
-        return followed->shown() != nullptr ? followed->shown()->parts : std::map<std::string, ActPart>();
+    if (const WallAct* const act = followed_act(wall)) return act->parts;
     if (wall.led() != nullptr)
         for (const ActParts& known : painter.parts())
             if (known.canvas == canvas) return known.parts;
@@ -122,10 +127,9 @@ void Stage::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_fo
     }
     carry_out({.retired = shows_->leave_finished_tapestry()}, renderer);
     frame_ = next_step(renderer).frame;
-    if (const FollowedWall* const followed = wall().followed();
-        followed != nullptr && followed->shown() != nullptr) {
-        painter_->show_parts(*followed->shown());
-        words_->set_words(followed->shown()->words);
+    if (const WallAct* const act = followed_act(wall())) {
+        painter_->show_parts(*act);
+        words_->set_words(act->words);
     }
     shows_->fade(frame_);
     words_->draw(frame_, files_.hints(), files_.all());
@@ -190,9 +194,7 @@ void Stage::set_controls(const ShowControls& controls) {
 
 std::vector<AudibleShot> Stage::audible() const {
     if (is_paused_ || painter_->screens().empty()) return {};
-    if (const FollowedWall* const followed = wall().followed();
-        followed != nullptr && followed->shown() != nullptr && followed->shown()->is_paused)
-        return {};
+    if (const WallAct* const act = followed_act(wall()); act != nullptr && act->is_paused) return {};
     std::vector<AudibleShot> shots = films_->shots(frame_, files_.hints());
     if (shots.empty() || settings_.wall.role == WallRole::alone) return shots;
     const std::map<std::string, ActPart> parts = all_parts(wall(), *painter_, frame_.canvas);

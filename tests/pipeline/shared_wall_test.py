@@ -132,20 +132,26 @@ class Wall(unittest.TestCase):
     def start_leader(self, name, *options, slots=6):
         return self.start_player(self.left, name, "--media.root", self.media, "--layout.slots", slots, "--show.dwell_seconds", 3600, *options)
 
+    def ctl(self, box, *words):
+        return subprocess.run([CTL, *words], env=self.environment(box), capture_output=True, text=True, timeout=PATIENCE)
+
     def boxes(self, box):
         """What a box says of all boxes, by their names."""
-        said = subprocess.run([CTL, "status", "--json"], env=self.environment(box), capture_output=True, text=True, timeout=PATIENCE)
+        said = self.ctl(box, "status", "--json")
         return {b["name"]: b["says"] for b in json.loads(said.stdout).get("wall", {}).get("boxes", [])} if said.returncode == 0 else {}
 
     def wait_until_in_step(self):
         for box in (self.left, self.right):
             until(f"{box.name} tells that all are in step", lambda: "in step" in self.boxes(box).get("right", "").replace("not in step", ""))
 
+    def subscriber(self, topic):
+        return ["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
+                "-t", f"vitrine/lobby/{topic}"]
+
     def listen(self):
         """Notes when which message passes the broker. @return  the times and topics so far"""
         heard = []
-        spy = subprocess.Popen(["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
-                                "-t", "vitrine/lobby/#", "-F", "%U %t"], stdout=subprocess.PIPE, text=True)
+        spy = subprocess.Popen([*self.subscriber("#"), "-F", "%U %t"], stdout=subprocess.PIPE, text=True)
         self.addCleanup(spy.stdout.close)
         self.addCleanup(self.end, spy)
 
@@ -224,13 +230,9 @@ class Wall(unittest.TestCase):
 
     def told(self, box, what):
         """A fact that a box has told of itself. None: it has told nothing."""
-        ask = ["mosquitto_sub", "-h", LEADER, "-p", "8883", "--psk", self.left.key.read_text().strip(), "--psk-identity", "lobby",
-               "-t", f"vitrine/lobby/box/{box}", "-C", "1", "-W", "2", "-F", "%p"]
+        ask = [*self.subscriber(f"box/{box}"), "-C", "1", "-W", "2", "-F", "%p"]
         note = subprocess.run(ask, capture_output=True, text=True).stdout
         return json.loads(note).get(what) if note else None
-
-    def ctl(self, box, *words):
-        return subprocess.run([CTL, *words], env=self.environment(box), capture_output=True, text=True, timeout=PATIENCE)
 
     def test_a_follower_whose_display_is_off_tells_that_it_has_none_and_leaves_commands_to_the_leader(self):
         self.start_leader("alone")

@@ -25,7 +25,11 @@ SharedCanvas shared(const std::string& text, const std::vector<KnownOutput>& out
 
 /// Two screens in memory on one canvas.
 struct Pair {
-    explicit Pair(const std::string& canvas) { settings.output.canvas = canvas; }
+    /// @param role  lead: the box is called "here"
+    explicit Pair(const std::string& canvas, WallRole role = WallRole::alone) {
+        settings.output.canvas = canvas;
+        if (role == WallRole::lead) settings.wall = {.role = role, .box = "here"};
+    }
 
     void follow(std::span<Screen* const> screens, std::chrono::nanoseconds now) {
         outputs.follow(screens, now);
@@ -33,7 +37,8 @@ struct Pair {
 
     Settings settings;
     OffscreenDisplay display{{.screens = {{100, 50}, {80, 50}}}, {}, 30};
-    OutputCanvas outputs{settings};
+    std::shared_ptr<OtherOutputs> others = std::make_shared<OtherOutputs>();
+    OutputCanvas outputs{settings, others};
 };
 
 }  // namespace
@@ -137,8 +142,7 @@ TEST_CASE("a guide shows the name, the place and the rulers of its screen in the
 }
 
 TEST_CASE("the guide of one of several boxes shows the name by which output.canvas names its screen") {
-    Pair pair("here/offscreen-1 0,0");
-    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
+    Pair pair("here/offscreen-1 0,0", WallRole::lead);
     pair.follow(pair.display.screens(), 0s);
     CHECK(pair.outputs.guide_view(*pair.display.screens()[0], {100, 50}).name == "here/offscreen-1");
 }
@@ -162,10 +166,9 @@ TEST_CASE("the diagonal of a canvas goes on from one guide to the next") {
 }
 
 TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keeps its place for a minute") {
-    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0 turned 90");
-    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
-    const auto others = std::make_shared<OtherOutputs>();
-    OutputCanvas outputs(pair.settings, others);
+    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0 turned 90", WallRole::lead);
+    OutputCanvas& outputs = pair.outputs;
+    const auto& others = pair.others;
     const std::vector<Screen*> own{pair.display.screens()[0]};
     outputs.follow(own, 0s);
     CHECK(outputs.shared().parts.size() == 1);
@@ -191,10 +194,9 @@ TEST_CASE("outputs of other boxes are on the canvas, and a box that is gone keep
 }
 
 TEST_CASE("a leader without outputs lays the canvas out for the other boxes after a minute") {
-    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0");
-    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
-    const auto others = std::make_shared<OtherOutputs>();
-    OutputCanvas outputs(pair.settings, others);
+    Pair pair("here/offscreen-1 0,0; there/DP-1 110,0", WallRole::lead);
+    OutputCanvas& outputs = pair.outputs;
+    const auto& others = pair.others;
     const std::vector<Screen*> own{pair.display.screens()[0]};
     outputs.follow(own, 0s);
     others->outputs = {{"there/DP-1", 80, 50, {}}};
@@ -227,10 +229,9 @@ TEST_CASE("a box that follows shows the parts that an act gives it") {
 
 TEST_CASE(
     "an output that joins a canvas at the left hangs beyond the one before, and the others stay there") {
-    Pair pair("there/DP-1 -110,0; here/offscreen-1 0,0; here/offscreen-2 120,0");
-    pair.settings.wall = {.role = WallRole::lead, .box = "here"};
-    const auto others = std::make_shared<OtherOutputs>();
-    OutputCanvas outputs(pair.settings, others);
+    Pair pair("there/DP-1 -110,0; here/offscreen-1 0,0; here/offscreen-2 120,0", WallRole::lead);
+    OutputCanvas& outputs = pair.outputs;
+    const auto& others = pair.others;
     outputs.follow(pair.display.screens(), 0s);
     others->outputs = {{"there/DP-1", 100, 50, {}}};
     outputs.follow(pair.display.screens(), 1s);
