@@ -300,6 +300,7 @@ void Player::renew_stages(std::chrono::nanoseconds time) {
     for (const SourceId source : sources_->retire_all())
         display_->forget_source(source);
     stages_->make_anew();
+    wall_.begin_anew();
     begin_stages();
 }
 

@@ -40,6 +40,11 @@ class WallLink {
     /// Call when the run begins.
     void begin() { clock_.begin(); }
 
+    /// Call when the stages' shows have been replaced: the other boxes follow the new one.
+    void begin_anew() {
+        if (talk_) talk_->begin_anew();
+    }
+
     /// Call at every tick: looks at the clocks. They may jump while nothing moves on the wall.
     void follow_clocks(Show& show);
 

@@ -228,22 +228,29 @@ class Wall(unittest.TestCase):
         far = (time.localtime().tm_hour + 12) % 24
         return "--output.on", f"{far:02}:00-{far:02}:59"
 
-    def told(self, box, what):
-        """A fact that a box has told of itself. None: it has told nothing."""
-        ask = [*self.subscriber(f"box/{box}"), "-C", "1", "-W", "2", "-F", "%p"]
+    def told(self, topic, what):
+        """A fact of the last message of a kind, as the broker has kept it. None: there is none."""
+        ask = [*self.subscriber(topic), "-C", "1", "-W", "2", "-F", "%p"]
         note = subprocess.run(ask, capture_output=True, text=True).stdout
         return json.loads(note).get(what) if note else None
 
-    def test_a_follower_whose_display_is_off_tells_that_it_has_none_and_leaves_commands_to_the_leader(self):
+    def test_a_follower_whose_display_is_off_tells_that_it_has_none_and_leaves_commands_and_settings_to_the_leader(self):
         self.start_leader("alone")
         self.start_player(self.right, "off", "--media.root", self.folder / "none", *self.off_now(), films=False)
-        until("the follower tells of its displays", lambda: self.told("right", "outputs") is not None)
-        self.assertEqual(self.told("right", "outputs"), [])
+        until("the follower tells of its displays", lambda: self.told("box/right", "outputs") is not None)
+        self.assertEqual(self.told("box/right", "outputs"), [])
         for words in (("next",), ("pause",), ("pin", "photo0.png"), ("pin", "0"), ("remove", "photo0.png"), ("layout", "save", "a"), ("layout", "load", "a")):
             refused = self.ctl(self.right, *words)
             self.assertEqual((refused.returncode, "the box that leads decides" in refused.stderr), (1, True), f"{words}: {refused}")
         self.assertEqual(self.ctl(self.left, "canvas").returncode, 0)
-        until("the leader tells of its guides", lambda: self.told("left", "has_guides"))
+        until("the leader tells of its guides", lambda: self.told("box/left", "has_guides"))
+        settings = self.left.settings.read_text()
+        self.addCleanup(self.left.settings.write_text, settings)
+        until("the leader tells of its wall", lambda: self.told("act", "run"))
+        run = self.told("act", "run")
+        self.left.settings.write_text(settings + '\n[layout]\nlook = "tiles"\n')
+        self.assertEqual(self.ctl(self.left, "reload").returncode, 0)
+        until("the leader tells of the wall with its new settings", lambda: self.told("act", "run") != run)
 
     def test_a_leader_whose_display_is_off_leads(self):
         leader = self.start_player(self.left, "dark", "--media.root", self.media, "--layout.slots", 1, "--show.dwell_seconds", 2, "--show.order", "name",

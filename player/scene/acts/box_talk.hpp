@@ -41,6 +41,9 @@ class BoxTalk {
     /// Call after each frame of the show. @return messages to the others
     std::vector<WallMessage> speak(Show& show, const BoxMoment& moment);
 
+    /// Call when the show has been replaced by another one.
+    virtual void begin_anew() {}
+
     /// Says all that is kept once more, because the connection is new.
     virtual void say_again() { told_.reset(); }
 

@@ -171,6 +171,15 @@ std::vector<WallMessage> LeaderTalk::speak_more(Show& show, const BoxMoment& mom
     return said;
 }
 
+void LeaderTalk::begin_anew() {
+    ++run_;
+    preparation_ = 0;
+    for (auto& [box, ready] : ready_)
+        ready = 0;  // the first preparation is waited for
+    skipped_ = 0;
+    epoch_.reset();
+}
+
 void LeaderTalk::say_again() {
     BoxTalk::say_again();
     says_again_ = true;

@@ -27,6 +27,9 @@ class LeaderTalk final : public BoxTalk {
     LeaderTalk(std::string box, std::int64_t run, std::size_t max_bytes = max_told_bytes)
         : BoxTalk(std::move(box)), run_(run), max_bytes_(max_bytes) {}
 
+    /// Begins another run: the acts and preparations of the new show count from 1 again.
+    void begin_anew() override;
+
     void say_again() override;
 
     std::string complaint() const override;

@@ -131,17 +131,18 @@ class SharedHouse {
     void start_leader() {
         TestBox& lead = boxes[0];
         forget(lead);
-        const Canvas canvas{1280, 720};
-        if (options_.pan)
-            lead.show = std::make_unique<LedPanningWall>(canvas, *options_.pan);
-        else if (options_.wall.nests)
-            lead.show = std::make_unique<LedFolderWall>(canvas, options_.wall);
-        else
-            lead.show = std::make_unique<LedWall>(canvas, options_.wall);
-        lead.show->set_catalogue(options_.records);
+        lead.show = leading_show();
         lead.talk = std::make_unique<LeaderTalk>(lead.name, ++runs_, options_.max_act_bytes);
         lead.clock.correction = Ns(0);
         begin(lead);
+    }
+
+    /// Replaces the leader's show, as new settings do.
+    void renew_leader(WallSettings settings) {
+        options_.wall = std::move(settings);
+        forget(boxes[0]);
+        boxes[0].show = leading_show();
+        boxes[0].talk->begin_anew();
     }
 
     /// Starts the leader anew with a wall that pans.
@@ -198,6 +199,19 @@ class SharedHouse {
                           .is_disciplined = options_.is_disciplined},
                 .show = {},
                 .talk = {}};
+    }
+
+    std::unique_ptr<Show> leading_show() const {
+        const Canvas canvas{1280, 720};
+        std::unique_ptr<Show> show;
+        if (options_.pan)
+            show = std::make_unique<LedPanningWall>(canvas, *options_.pan);
+        else if (options_.wall.nests)
+            show = std::make_unique<LedFolderWall>(canvas, options_.wall);
+        else
+            show = std::make_unique<LedWall>(canvas, options_.wall);
+        show->set_catalogue(options_.records);
+        return show;
     }
 
     void forget(TestBox& box) {

@@ -229,6 +229,26 @@ TEST_CASE("boxes that follow hear that the wall is paused, and that it goes on")
     CHECK(house.boxes[1].gaps == 0);
 }
 
+TEST_CASE("a leader whose settings were read again is followed: its new wall comes at once, in step") {
+    SharedHouse::Options options{.seed = 4, .followers = 2};
+    SharedHouse house(options);
+    house.run(20s);
+    const std::size_t faults = house.faults;
+    WallSettings settings = options.wall;
+    settings.slots.count = 2;
+    house.renew_leader(settings);
+    house.run(5s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i) {
+        CHECK(house.followed(i).standing().size() == 2);
+        CHECK(house.boxes[i].gaps == 0);
+    }
+    const Ns renewed = house.truth;
+    house.run(20s);
+    for (std::size_t i = 1; i < house.boxes.size(); ++i)
+        CHECK(share_in_step(house.boxes[0], house.boxes[i], renewed) >= 0.999);
+    CHECK(house.faults == faults);
+}
+
 TEST_CASE("an act that is too long for the others is not told, and the leader says so") {
     SharedHouse house({.seed = 5, .followers = 1});
     house.run(6s);
