@@ -56,8 +56,8 @@ class DisplaySession {
     /// @param now        since the player's start
     void follow_display(std::optional<std::chrono::local_seconds> rehearsed, std::chrono::nanoseconds now);
 
-    /// A visitor has touched a panel or a key: the panels are lit, outside their hours for a while.
-    void wake(std::chrono::nanoseconds now) { hours_.wake(now); }
+    /// The hours of the panels. Touches wake them, and new settings replace their rules.
+    PanelHours& hours() { return hours_; }
 
     /// The screens to draw on. None: there is no panel or no card, another program has it, or the panels are
     /// off at this hour. Lent until the next follow_display().

@@ -249,11 +249,11 @@ void Player::handle_input(std::chrono::nanoseconds time) {
     if (options_.rehearsal) {
         if (options_.rehearsal->advance(time)) files_->apply_filters();
         for (const InputEvent& event : options_.rehearsal->next_touches()) {
-            display_->wake(time);
+            display_->hours().wake(time);
             if (is_seen) first_seen(*stages_).handle_input(event);
         }
     }
-    if (input_devices_->has_input()) display_->wake(time);
+    if (input_devices_->has_input()) display_->hours().wake(time);
     input_devices_->deliver_input(
         display_->screens(), wall_.start(),
         [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, event); });
@@ -291,6 +291,7 @@ void Player::reload() {
     };
     log::info("settings read again: {} changed now, {} will change after a restart", list(change.now),
               list(change.later));
+    display_->hours().set_rules(panel_rules(settings_));
     if (change.are_walls_new) stages_->ask_anew();
 }
 

@@ -633,6 +633,8 @@ CURES = [
          "is_in_change(*this) && change_->began <= now", "is_in_change(*this)", "acts_test.shared_wall_test"),
     Cure("a film that is heard on each box of a wall", "player/playback/sound/wall_sound.cpp",
          "    if (one && one->is_elsewhere) one = nullptr;\n", "", "sound_test.wall_sound_test"),
+    Cure("hours of the displays that hold after a restart alone", "player/player.cpp",
+         "    display_->hours().set_rules(panel_rules(settings_));\n", "", "pipeline.control", targets=("vitrine-player",), only="release"),
     Cure("boxes that keep the old wall after the leader has read its settings again", "player/player.cpp",
          "    wall_.begin_anew();\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
 ]

@@ -337,7 +337,7 @@ constexpr auto keys = std::to_array<SettingKey>({
      choice<&S::show, &S::Show::captions>({{{"none", CaptionChoice::none},
                                             {"written", CaptionChoice::written},
                                             {"names", CaptionChoice::names}}}),
-     SettingEffect::restart,
+     SettingEffect::new_walls,
      "Words over the pictures, where nothing matters. \"written\": those of files such as \"lake.jpg.txt\" "
      "beside "
      "the media, or in photos. \"names\": where there is none, the name of the file. \"none\": no captions. "
@@ -347,14 +347,14 @@ constexpr auto keys = std::to_array<SettingKey>({
     {"show.qr",
      text<&S::show, &S::Show::qr>("a text of at most 250 bytes, such as an address, or nothing",
                                   [](const std::string& value) { return value.size() <= 250; }),
-     SettingEffect::restart,
+     SettingEffect::new_walls,
      "A QR code for the whole wall, such as \"https://example.org\". It stands where nothing matters, over "
      "the "
      "shot that stands longest and has room for it, and on the idle picture. \"\": none."},
     {"show.share_address",
      text<&S::show, &S::Show::share_address>("a text of at most 250 bytes, or nothing",
                                              [](const std::string& value) { return value.size() <= 250; }),
-     SettingEffect::restart,
+     SettingEffect::new_walls,
      "The address at which files are dropped, such as '\\\\{host}\\media'. It stands on the idle picture. "
      "{host}: the "
      "name of this machine. \"\": the idle picture tells none."},
@@ -371,10 +371,10 @@ constexpr auto keys = std::to_array<SettingKey>({
      "that are plugged in later. \"/dev/input/event3, /dev/input/event5\": only these. \"none\": none. A "
      "panel belongs to the display that udev's WL_OUTPUT names, else to the first display. If there is no "
      "device, or the player is not in the group `input`, the wall just plays."},
-    {"input.idle_seconds", whole<&S::input, &S::Input::idle>(1, 86400), SettingEffect::restart,
+    {"input.idle_seconds", whole<&S::input, &S::Input::idle>(1, 86400), SettingEffect::new_walls,
      "Seconds after the last touch until an enlarged picture returns to its place, and until the wall "
      "replaces the tapestry of a film."},
-    {"input.hint_seconds", whole<&S::input, &S::Input::hint>(0, 86400), SettingEffect::restart,
+    {"input.hint_seconds", whole<&S::input, &S::Input::hint>(0, 86400), SettingEffect::new_walls,
      "Seconds after the last touch until the wall shows that it can be touched: every ten seconds "
      "all shots but one become dim for a moment. 0: never. A calm wall and one that pans do not."},
     {"input.keep_arrangement", flag<&S::input, &S::Input::keep_arrangement>(), SettingEffect::now,
@@ -447,20 +447,20 @@ constexpr auto keys = std::to_array<SettingKey>({
      text<&S::output, &S::Output::on>(
          "hours like \"Mo-Fr 08:00-18:30, Sat 10-14\", or nothing",
          [](const std::string& value) { return day_windows_named(value).has_value(); }),
-     SettingEffect::restart,
+     SettingEffect::now,
      "Hours at which the displays are on: \"08-18\", \"Mo-Fr 08:00-18:30, Sat 10-14\", \"20:00-02:00\". "
      "Outside "
      "they are really off, and show nothing. Hours over midnight belong to the day on which they start; a "
      "date "
      "of show.holidays counts as a Sunday. As long as the clock is not plausible, they are on. Empty: "
      "always."},
-    {"output.awake_minutes", whole<&S::output, &S::Output::awake>(1, 1440), SettingEffect::restart,
+    {"output.awake_minutes", whole<&S::output, &S::Output::awake>(1, 1440), SettingEffect::now,
      "Minutes for which a touch or a key turns the displays on outside output.on."},
     {"output.dim",
      text<&S::output, &S::Output::dim>(
          "hours with a share like \"20:00-06:00 40%\", or nothing",
          [](const std::string& value) { return dim_windows_named(value).has_value(); }),
-     SettingEffect::restart,
+     SettingEffect::now,
      "Hours at which the picture is darker, with the share of its light: \"20:00-06:00 40%, Sun 18-20 60%\". "
      "The "
      "first that holds counts. The picture changes slowly. Empty: never."},

@@ -30,6 +30,9 @@ class PanelHours {
   public:
     explicit PanelHours(PanelRules rules) : rules_(std::move(rules)) {}
 
+    /// Replaces the rules. A touch that has lit the panels counts as long as it did.
+    void set_rules(PanelRules rules) { rules_ = std::move(rules); }
+
     /// Call often.
     /// @param local  the local time; none: it is not known, and the panels are lit
     /// @param now    since the player's start; never goes back

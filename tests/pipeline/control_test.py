@@ -174,6 +174,10 @@ frame_rate = 5
             self.set(slots=3)
             self.assertEqual(self.ctl("reload").returncode, 0)
             wait_for("a wall of three", lambda: len(self.wall()) == 3)
+            far = (time.localtime().tm_hour + 12) % 24
+            self.settings.write_text(self.settings.read_text() + f'on = "{far:02}:00-{far:02}:59"\n')  # of [output]
+            self.assertEqual(self.ctl("reload").returncode, 0)
+            wait_for("the panels to be off", lambda: "panels off, outside of output.on" in self.log.read_text())
         self.assertIsNone(player.poll())
 
     def test_a_file_out_of_its_hours_is_told_its_hours(self):

@@ -24,6 +24,31 @@ TEST_CASE("how the wall looks changes at once, with walls made anew") {
     CHECK(change.settings.show.dwell == std::chrono::seconds(7));
 }
 
+TEST_CASE(
+    "what is written over the walls, and how long a touch counts, changes at once, with walls made anew") {
+    Settings after;
+    after.show.captions = CaptionChoice::names;
+    after.show.qr = "https://example.org";
+    after.show.share_address = "host";
+    after.input.idle = std::chrono::seconds(7);
+    after.input.hint = std::chrono::seconds(7);
+    const SettingsChange change = settings_change({}, after);
+    CHECK(change.now ==
+          Keys{"show.captions", "show.qr", "show.share_address", "input.idle_seconds", "input.hint_seconds"});
+    CHECK(change.later.empty());
+    CHECK(change.are_walls_new);
+}
+
+TEST_CASE("the hours of the displays change at once, with the walls as they are") {
+    Settings after;
+    after.output.on = "08-18";
+    after.output.awake = std::chrono::minutes(3);
+    after.output.dim = "20-24 50%";
+    const SettingsChange change = settings_change({}, after);
+    CHECK(change.now == Keys{"output.on", "output.awake_minutes", "output.dim"});
+    CHECK_FALSE(change.are_walls_new);
+}
+
 TEST_CASE("how it lies on the display changes at once, with the walls as they are") {
     Settings after;
     after.output.rotation = 90;

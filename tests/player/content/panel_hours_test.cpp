@@ -54,6 +54,17 @@ TEST_CASE("without hours, and as long as the time is not known, panels are on") 
     CHECK(hours.is_on());
 }
 
+TEST_CASE("other hours hold from the next look on, and a touch counts as before") {
+    PanelHours hours = hours_of("08-18");
+    CHECK(is_on(hours, monday + 9h));
+    hours.set_rules({.on = *day_windows_named("10-18"), .dim = *dim_windows_named("00-24 50%")});
+    CHECK_FALSE(is_on(hours, monday + 9h, 60s));
+    CHECK(hours.light() == doctest::Approx(0.5));
+    hours.wake(61s);
+    hours.set_rules({.on = *day_windows_named("11-18"), .dim = {}});
+    CHECK(is_on(hours, monday + 10h, 62s));
+}
+
 TEST_CASE("a touch outside the hours turns the panels on for a while") {
     PanelHours hours = hours_of("08-18");
     CHECK_FALSE(is_on(hours, monday, 0s));
