@@ -131,10 +131,10 @@ void request_words(MissingPictures& pictures, const WatchOptions& options,
 std::set<std::string> caption_keys(const WatchOptions& options, const std::string& path,
                                    const HintFiles& hints, const FileStates& states) {
     std::set<std::string> keys;
-    if (options.captions == CaptionChoice::none) return keys;
+    if (options.words.captions == CaptionChoice::none) return keys;
     const std::string written = hints.hints_for(path).caption.value_or("");
     const FileStates::OwnCaption own = states.caption(path);
-    const bool uses_names = options.captions == CaptionChoice::names;
+    const bool uses_names = options.words.captions == CaptionChoice::names;
     CaptionSources sources{
         .written = written, .own = own.text, .path = uses_names ? std::string_view(path) : ""};
     const auto add = [&] {
@@ -143,7 +143,7 @@ std::set<std::string> caption_keys(const WatchOptions& options, const std::strin
             keys.insert(caption_key(caption, lines));
     };
     add();
-    if (!options.tells_years || !own.day) return keys;
+    if (!options.words.tells_years || !own.day) return keys;
     sources.day = own.day;
     add();
     return keys;
@@ -153,8 +153,8 @@ std::set<std::string> caption_keys(const WatchOptions& options, const std::strin
 void set_all_words(MissingPictures& pictures, const WatchOptions& options,
                    const std::vector<std::string>& paths, const HintFiles& hints, const FileStates& states) {
     std::set<std::string> words = shown_folder_names(paths);
-    if (!options.wall_code.empty()) words.insert(code_key(options.wall_code));
-    if (!options.share_address.empty()) words.insert(options.share_address);
+    if (!options.words.wall_code.empty()) words.insert(code_key(options.words.wall_code));
+    if (!options.words.share_address.empty()) words.insert(options.words.share_address);
     for (const std::string& path : paths) {
         if (const auto code = hints.hints_for(path).code) words.insert(code_key(*code));
         words.merge(caption_keys(options, path, hints, states));
@@ -189,6 +189,19 @@ MediaRecord record_after_deaths(AnalysisOutcome outcome, const std::optional<Med
     outcome.record.reason = "twice " + outcome.record.reason;
     std::optional<MediaRecord> kept = kept_record(known, outcome);
     return kept ? std::move(*kept) : quarantined_record(outcome.record, known, WallClock::now());
+}
+
+/// @param is_once  the run tells how far it is
+void log_record(const MediaRecord& record, bool is_once, const Schedule& schedule) {
+    if (is_once) log::info("analysed {}: {}", progress_in_words(schedule), record.path);
+    if (record.state != MediaState::ready)
+        log::write_with(log::Level::warning,
+                        fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
+                        journal_fields(record));
+    else if (!record.reason.empty())
+        log::warning("ready: '{}': {}", record.path, record.reason);
+    else if (!is_once)
+        log::info("ready: '{}'", record.path);
 }
 
 }  // namespace
@@ -232,6 +245,11 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
     book_.load();
     attempt([this] { rescan(); });
     wake_.arm(0s);
+}
+
+void Daemon::set_words(SetWords words) {
+    options_.words = std::move(words);
+    attempt([this] { follow_hints(); });
 }
 
 bool Daemon::is_up_to_date() const {
@@ -441,7 +459,7 @@ void Daemon::store_answer(AnalysisOutcome outcome) {
     book_.store(record);
     if (lacks_copy && record.state == MediaState::ready) schedule_.analyse_again(record.path);
     request_words(pictures_, options_, caption_keys(options_, record.path, hint_files_, book_.states()));
-    if (book_.is_news(record)) log_record(record);
+    if (book_.is_news(record)) log_record(record, options_.is_once, schedule_);
 }
 
 /// A record of the same content that holds stays: the wall goes on with it.
@@ -456,19 +474,7 @@ void Daemon::postpone(MediaRecord record) {
     }
     record = waiting_record(std::move(record), known, WallClock::now());
     book_.store(record);
-    if (book_.is_news(record)) log_record(record);
-}
-
-void Daemon::log_record(const MediaRecord& record) {
-    if (options_.is_once) log::info("analysed {}: {}", progress_in_words(schedule_), record.path);
-    if (record.state != MediaState::ready)
-        log::write_with(log::Level::warning,
-                        fmt::format("{}: '{}': {}", name_of(record.state), record.path, record.reason),
-                        journal_fields(record));
-    else if (!record.reason.empty())
-        log::warning("ready: '{}': {}", record.path, record.reason);
-    else if (!options_.is_once)
-        log::info("ready: '{}'", record.path);
+    if (book_.is_news(record)) log_record(record, options_.is_once, schedule_);
 }
 
 void Daemon::request_thumbnails() {

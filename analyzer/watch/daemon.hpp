@@ -24,6 +24,14 @@
 
 namespace vitrine::analyzer {
 
+/// The words that the daemon has set as pictures for the player, besides the names of folders.
+struct SetWords {
+    CaptionChoice captions = CaptionChoice::none;
+    std::string wall_code;      // the text of the wall's QR code; empty: none
+    std::string share_address;  // on the idle picture; empty: none
+    bool tells_years = false;   // captions are set with the year, too
+};
+
 /// All that the daemon needs to know.
 struct WatchOptions {
     std::filesystem::path root;       // the media folder
@@ -32,11 +40,8 @@ struct WatchOptions {
     std::filesystem::path state;               // hints.json, status.json, thumbnails/, words/ and wall.jpg
     std::vector<std::string> thumbnail_child;  // makes a thumbnail; the file is appended. Empty: none is made
     std::vector<std::string> words_child;      // sets words; they are appended. Empty: none are set
-    CaptionChoice captions = CaptionChoice::none;  // those that are set
-    std::string wall_code;                         // the text of the wall's QR code; empty: none
-    std::string share_address;                     // on the idle picture; empty: none
-    bool tells_years = false;                      // captions are set with the year, too
-    std::string status_folder;                     // in the media folder, for its operators; empty: none
+    SetWords words;
+    std::string status_folder;  // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;
     AnalysisOutputs outputs;          // each analysis writes these
@@ -59,6 +64,9 @@ class Daemon {
     Daemon(const Daemon&) = delete;
     Daemon& operator=(const Daemon&) = delete;
     ~Daemon() = default;
+
+    /// Has other words set than before, and removes those that are not wanted any more.
+    void set_words(SetWords words);
 
     /// True where the media folder was there at the last look.
     bool is_online() const { return follower_.is_online(); }
@@ -86,7 +94,6 @@ class Daemon {
     void start_analysis(const Action& action);
     void finish_analysis(const FileFacts& facts, const AnalysisOutcome& outcome);
     void store_answer(AnalysisOutcome outcome);
-    void log_record(const MediaRecord& record);
     void request_thumbnails();
     StatusReport report() const;
 

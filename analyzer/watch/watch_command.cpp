@@ -18,6 +18,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 namespace vitrine::analyzer {
@@ -68,6 +69,13 @@ Pace pace(const Settings::Analyzer& settings, bool is_once) {
     return pace;
 }
 
+SetWords set_words(const Settings& settings) {
+    return {.captions = settings.show.captions,
+            .wall_code = settings.show.qr,
+            .share_address = share_address(settings),
+            .tells_years = settings.show.on_this_day};
+}
+
 /// @param snapshot  the file of settings that children read
 WatchOptions watch_options(const Settings& settings, const std::string& snapshot, WatchEnd end) {
     const bool is_once = end != WatchEnd::never;
@@ -84,10 +92,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     options.outputs = analysis_outputs(settings);
     options.status_folder = settings.status.folder;
     if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
-    options.captions = settings.show.captions;
-    options.wall_code = settings.show.qr;
-    options.share_address = share_address(settings);
-    options.tells_years = settings.show.on_this_day;
+    options.words = set_words(settings);
     options.words_child = {"/proc/self/exe", config, "set-words", "--"};
     options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
     options.weave = {"/proc/self/exe",
@@ -107,12 +112,14 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
 }
 
 /// Reads the settings anew; those before stay where the new ones have a mistake.
-void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot) {
+void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot, Daemon& daemon) {
     try {
         const Settings settings = read_settings();
         log::set_level(settings.log.level);
         snapshot.replace(settings);
-        log::info("settings read again: new analyses follow them; folders, store and pace after a restart");
+        daemon.set_words(set_words(settings));
+        log::info("settings read again: new analyses and words follow them; folders, store and pace after a "
+                  "restart");
     } catch (const SettingsError& error) {
         log::error("settings: {}; the old ones stay", error.what());
     }
@@ -133,21 +140,23 @@ int watch_media(const Settings& settings, const ReadSettings& read_settings, Wat
     const bool is_once = end != WatchEnd::never;
     SettingsSnapshot snapshot(settings);
     EventLoop loop;
-    const EventLoop::Source hangup = loop.signal(SIGHUP, [&] { read_again(read_settings, snapshot); });
+    std::optional<Daemon> daemon;
+    const EventLoop::Source hangup =
+        loop.signal(SIGHUP, [&] { read_again(read_settings, snapshot, *daemon); });
     bool is_interrupted = false;
     const StopRequest stop(
         loop, {.patience = stop_patience, .exit_code = is_once ? EXIT_FAILURE : EXIT_SUCCESS}, [&] {
             is_interrupted = true;
             loop.quit();
         });
-    const Daemon daemon(loop, watch_options(settings, snapshot.path(), end));
-    service::ready(daemon.status());
-    log::info("watching '{}': {}", settings.media.root, daemon.status());
+    daemon.emplace(loop, watch_options(settings, snapshot.path(), end));
+    service::ready(daemon->status());
+    log::info("watching '{}': {}", settings.media.root, daemon->status());
     tell_sandbox();
     loop.run();
     service::stopping();
     if (!is_once) return EXIT_SUCCESS;
-    return daemon.is_up_to_date() && !is_interrupted ? EXIT_SUCCESS : EXIT_FAILURE;
+    return daemon->is_up_to_date() && !is_interrupted ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace vitrine::analyzer

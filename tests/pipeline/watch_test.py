@@ -11,6 +11,7 @@ import json
 import os
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import unittest
@@ -207,6 +208,25 @@ class Watch(WatchedFolder):
         hints.unlink()
         self.until("no hints", lambda _: folders() == [])
         self.assertEqual(times, [file.stat().st_mtime_ns for file in (self.state / "catalogue").glob("*.json")])
+        watcher.terminate()
+        self.assertEqual(watcher.wait(PATIENCE), 0)
+
+    def test_words_of_the_wall_follow_the_settings_that_are_read_again(self):
+        config = Path(self.folder.name) / "vitrine.toml"
+        config.write_text('[show]\ncaptions = "none"\n')
+        (self.root / "a.png").write_bytes(png(64))
+        watcher = self.start("--config", config)
+        self.until_ready("a.png", 64)
+        words = self.state / "words"
+        self.assertEqual(list(words.glob("*.png")), [])
+        config.write_text('[show]\ncaptions = "names"\nqr = "https://example.org"\n')
+        watcher.send_signal(signal.SIGHUP)
+        self.until("three forms of a caption, and a code", lambda _: len(list(words.glob("*.png"))) == 4)
+        config.write_text('[show]\ncaptions = "many"\n')
+        watcher.send_signal(signal.SIGHUP)
+        config.write_text('[show]\ncaptions = "none"\nqr = "https://example.org"\n')
+        watcher.send_signal(signal.SIGHUP)
+        self.until("a code alone", lambda _: len(list(words.glob("*.png"))) == 1)
         watcher.terminate()
         self.assertEqual(watcher.wait(PATIENCE), 0)
 

@@ -814,7 +814,7 @@ TEST_CASE("captions that photos have themselves are set as pictures, where no te
     };
     house.drop("a.jpg", "says Lake\n");
     WatchOptions options = house.options();
-    options.captions = CaptionChoice::written;
+    options.words.captions = CaptionChoice::written;
     options.words_child = {"/bin/sh", setter.string()};
     house.daemon = std::make_unique<Daemon>(house.loop, options);
     CHECK(house.comes_true([&] {
@@ -823,6 +823,8 @@ TEST_CASE("captions that photos have themselves are set as pictures, where no te
                         "2Lake;\x02"
                         "3Lake;";
     }));
+    house.daemon->set_words({.share_address = "host"});
+    CHECK(house.comes_true([&] { return set().ends_with("3Lake;host;"); }));
 }
 
 TEST_CASE("a run that ends by itself sets the names of folders before") {
