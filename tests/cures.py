@@ -635,6 +635,10 @@ CURES = [
          "    if (one && one->is_elsewhere) one = nullptr;\n", "", "sound_test.wall_sound_test"),
     Cure("hours of the displays that hold after a restart alone", "player/player.cpp",
          "    display_->hours().set_rules(panel_rules(settings_));\n", "", "pipeline.control", targets=("vitrine-player",), only="release"),
+    Cure("the idle picture in place of the wall while settings are read again", "player/stage/stages.cpp",
+         "waits_for_wall || now < picture_kept_until_", "waits_for_wall", "stage_test.stages_test"),
+    Cure("words of the wall that come after a restart of the analyzer alone", "analyzer/watch/watch_command.cpp",
+         "        daemon.set_words(set_words(settings));\n", "        (void)daemon;\n", "pipeline.watch", targets=("vitrine-analyzer",), only="release"),
     Cure("boxes that keep the old wall after the leader has read its settings again", "player/player.cpp",
          "    wall_.begin_anew();\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
 ]

@@ -19,6 +19,8 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto guide_time = std::chrono::minutes(10);
+constexpr auto renewal_patience =
+    std::chrono::seconds(8);  // then a new wall with gaps replaces the last picture
 
 }  // namespace
 
@@ -32,6 +34,7 @@ bool Stages::claim_renewal(std::chrono::nanoseconds now) {
     if (!is_asked_anew_ || !pace_.is_free(now)) return false;
     is_asked_anew_ = false;
     pace_.note_change(now);
+    picture_kept_until_ = now + renewal_patience;
     return true;
 }
 
@@ -120,7 +123,7 @@ void Stages::show(std::chrono::nanoseconds now, Renderer* renderer, bool waits_f
     for (const auto& stage : stages_) {
         if (!stage->is_seen()) continue;
         stage->show_guides(has_guides);
-        stage->show(now, renderer, waits_for_wall);
+        stage->show(now, renderer, waits_for_wall || now < picture_kept_until_);
     }
     log_counts();
 }

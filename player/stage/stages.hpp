@@ -34,7 +34,8 @@ class Stages {
     void ask_anew() { is_asked_anew_ = true; }
 
     /// True once if new stages were asked for, and the walls were not made anew a moment ago: settings that
-    /// are read again and again must not let the screens flash. Then call make_anew().
+    /// are read again and again must not let the screens flash. Then call make_anew(). The screens keep their
+    /// last picture until a new wall is complete, for eight seconds at most.
     bool claim_renewal(std::chrono::nanoseconds now);
 
     /// Replaces all stages with new ones without files.
@@ -96,6 +97,7 @@ class Stages {
     std::map<std::string, std::size_t> number_of_;  // output -> stages_; other outputs show the first
     std::vector<std::unique_ptr<Stage>> stages_;
     ChangePace pace_{flash_spacing};
+    std::chrono::nanoseconds picture_kept_until_{0};
     bool is_asked_anew_ = false;
     bool has_guides_ = false;
     std::optional<std::chrono::nanoseconds> guides_end_;  // none: the first frame with guides is to come

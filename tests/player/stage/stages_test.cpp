@@ -97,6 +97,28 @@ TEST_CASE("stages that are made anew have no files yet") {
     CHECK(stages.audible().empty());
 }
 
+TEST_CASE("screens keep their picture until new stages have a complete wall, for eight seconds at most") {
+    const Settings settings;
+    OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
+    Renderer renderer(1, 1);
+    SourcePool sources{{.media = "/nowhere", .store = {}}};
+    Stages stages(settings, sources, false);
+    const auto screens = display.screens();
+    const auto seen = [&](std::chrono::nanoseconds now) {
+        stages.set_screens(screens, now);
+        stages.show(now, &renderer, false);
+        return dynamic_cast<OffscreenScreen&>(*screens[0]).picture().pixels;
+    };
+    CHECK(seen(0s) != seen(2s));  // the idle picture moves
+    const auto last = seen(10s);
+    stages.ask_anew();
+    REQUIRE(stages.claim_renewal(10s));
+    stages.make_anew();
+    CHECK(seen(10s) == last);
+    CHECK(seen(17s) == last);
+    CHECK(seen(18s) != last);
+}
+
 TEST_CASE("however often new stages are asked for, they come at most twice a second") {
     const Settings settings;
     SourcePool sources{{.media = "/nowhere", .store = {}}};
