@@ -65,8 +65,9 @@ bool GestureDispatch::open_tapestry(const Gesture& gesture) {
     const RecordList::Record film = files_.all().find(shot->key.path);
     if (!film) return false;
     const auto number = static_cast<std::size_t>(shot->key.shot);
-    const Opening opening = open(film, number);
-    if (opening == Opening::later) wish_ = Wish{.film = film, .shot = number, .since = {}};
+    const Wish wish{.film = film, .shot = number, .at = gesture.at, .since = {}};
+    const Opening opening = open(wish);
+    if (opening == Opening::later) wish_ = wish;
     return opening != Opening::never;
 }
 
@@ -75,13 +76,13 @@ void GestureDispatch::open_wanted(std::chrono::nanoseconds now) {
     if (!wish_) return;
     if (!wish_->since) wish_->since = now;
     const bool is_over = now - *wish_->since > wish_time || shows_.tapestry() != nullptr;
-    if (is_over || open(wish_->film, wish_->shot) != Opening::later) wish_.reset();
+    if (is_over || open(*wish_) != Opening::later) wish_.reset();
 }
 
 /// Opens a tapestry. A key lets a shot return that one of the taps has made large, so that none is large
 /// above the wall once the tapestry is closed.
-Opening GestureDispatch::open(const RecordList::Record& film, std::size_t shot) {
-    const Opening opening = shows_.open_tapestry(film, shot);
+Opening GestureDispatch::open(const Wish& wish) {
+    const Opening opening = shows_.open_tapestry(wish.film, wish.shot, wish.at);
     if (opening == Opening::opened)
         shows_.wall().handle_gesture({.kind = Gesture::Kind::key, .key = Key::select});
     return opening;

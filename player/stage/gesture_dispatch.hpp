@@ -28,19 +28,20 @@ class GestureDispatch {
     void dispatch(std::chrono::nanoseconds now);
 
   private:
+    /// A film whose tapestry a visitor wants.
+    struct Wish {
+        RecordList::Record film;
+        std::size_t shot = 0;
+        Vec2 at;                                        // canvas px, the place that was touched
+        std::optional<std::chrono::nanoseconds> since;  // none: it is new
+    };
+
     Subject subject_of(const InputEvent& event) const;
     bool give_to_tapestry(const Gesture& gesture);
     bool open_tapestry(const Gesture& gesture);
     bool give_to_wall(const Gesture& gesture);
     void open_wanted(std::chrono::nanoseconds now);
-    Opening open(const RecordList::Record& film, std::size_t shot);
-
-    /// A film whose tapestry a visitor wants.
-    struct Wish {
-        RecordList::Record film;
-        std::size_t shot = 0;
-        std::optional<std::chrono::nanoseconds> since;  // none: it is new
-    };
+    Opening open(const Wish& wish);
 
     ShowSwitch& shows_;        // outlives this
     const StageFiles& files_;  // outlive this

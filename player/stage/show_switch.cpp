@@ -69,10 +69,13 @@ ShowSwitch::ShowSwitch(const Settings& settings, std::uint64_t owner, bool await
       wall_(make_show(settings, canvas_, owner)) {}
 
 void ShowSwitch::set_canvas(const Canvas& canvas) {
+    const Placement way = place_on(canvas_, canvas);
     canvas_ = canvas;
     left_ = {};
     wall_->set_canvas(canvas);
-    if (tapestry_) tapestry_->set_canvas(canvas);
+    if (!tapestry_) return;
+    const Vec2 stood_at = tapestry_->show().place().screen().centre();
+    tapestry_->set_room(tapestry_room(canvas, stood_at * way.scale + way.offset));
 }
 
 void ShowSwitch::set_files(const StageFiles& files) {
@@ -160,7 +163,7 @@ bool ShowSwitch::may_switch() const {
     return !has_switched_ || time_ - switched_ >= change_spacing(settings_);
 }
 
-Opening ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot) {
+Opening ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t shot, Vec2 at) {
     const std::filesystem::path directory = tapestry_folder(settings_.state.directory, film->path);
     if (!may_switch()) return Opening::later;
     const bool has_index = has_tapestry(directory, *film);
@@ -171,7 +174,8 @@ Opening ShowSwitch::open_tapestry(const RecordList::Record& film, std::size_t sh
                                               shot < film->shots.size() ? film->shots[shot].begin : 0ns,
                                           .awaits_index = !has_index,
                                           .wishes_in = settings_.state.directory,
-                                          .edits_keyframes = settings_.input.edit_keyframes};
+                                          .edits_keyframes = settings_.input.edit_keyframes,
+                                          .opened_at = at};
     const bool is_shown = can_show(*film, [&] { show_tapestry(directory, options); });
     return is_shown ? Opening::opened : Opening::never;
 }
@@ -181,7 +185,8 @@ void ShowSwitch::show_tapestry(const std::filesystem::path& directory, TapestryP
     options.awaits_tiles = awaits_tiles_;
     options.rests = settings_.show.calm;
     const char* const when = options.awaits_index ? ", as soon as it is woven" : "";
-    tapestry_ = std::make_unique<TapestryPlayback>(directory, canvas_, options);
+    tapestry_ = std::make_unique<TapestryPlayback>(
+        directory, tapestry_room(canvas_, options.opened_at.value_or(canvas_ * 0.5)), options);
     note_switch();
     log::info("tapestry of '{}'{}", tapestry_->show().tapestry().path, when);
 }

@@ -67,7 +67,8 @@ class ShowSwitch {
     /// Shows a film's tapestry in place of the wall. If there is none of the present content of the film, the
     /// film plays above an empty strip until the analyzer has woven a first view.
     /// @param shot  the shot of the film at which the view starts
-    Opening open_tapestry(const RecordList::Record& film, std::size_t shot);
+    /// @param at    the place that was touched, canvas px
+    Opening open_tapestry(const RecordList::Record& film, std::size_t shot, Vec2 at);
 
     /// Shows the tapestry that the leader of a wall of several boxes shows, or the wall if it shows none.
     /// Call before each step().

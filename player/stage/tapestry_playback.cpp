@@ -89,7 +89,7 @@ KeyframeChoice noted_choice(const std::filesystem::path& state, const std::strin
                                : read_keyframe_choice(note->second, keyframe_notes_file).choice;
 }
 
-TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
+TapestryShow show_of(const std::filesystem::path& directory, const TapestryRoom& room,
                      const TapestryPlaybackOptions& options) {
     Tapestry tapestry = first_tapestry(directory, options);
     TapestrySettings settings{.first_source = options.first_source,
@@ -99,7 +99,7 @@ TapestryShow show_of(const std::filesystem::path& directory, Vec2 canvas,
     if (options.edits_keyframes) settings.edited = noted_choice(options.wishes_in, options.film->path);
     if (options.rests) settings.pace.patience = std::chrono::nanoseconds::max();
     PreviewedFilm film = film_of(tapestry, options.film);
-    return {std::move(tapestry), std::move(film), canvas, settings};
+    return {std::move(tapestry), std::move(film), room, settings};
 }
 
 std::shared_ptr<const ZoomMesh> mesh_of(const std::optional<ZoomField>& field, double left,
@@ -114,14 +114,14 @@ bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
     return tapestry.bytes == film.bytes && tapestry.mtime_ns == film.mtime_ns;
 }
 
-TapestryPlayback::TapestryPlayback(std::filesystem::path directory, Vec2 canvas,
+TapestryPlayback::TapestryPlayback(std::filesystem::path directory, const TapestryRoom& room,
                                    const TapestryPlaybackOptions& options)
     : directory_(std::move(directory)),
       state_(options.wishes_in),
       awaits_tiles_(options.awaits_tiles),
       film_(options.film),
       index_(followed_index(directory_, options)),
-      show_(show_of(directory_, canvas, options)) {
+      show_(show_of(directory_, room, options)) {
     if (film_ && !state_.empty() && !show_.tapestry().is_complete) wish_.emplace(state_, film_->path);
 }
 
@@ -153,7 +153,7 @@ void TapestryPlayback::take_newer_index(std::chrono::nanoseconds now) {
 
 void TapestryPlayback::follow(const TapestryMoment& seen) {
     followed_ = seen;
-    show_.set_canvas(seen.canvas);
+    show_.set_room(seen.room);
 }
 
 void TapestryPlayback::end_waiting(std::chrono::nanoseconds now) {

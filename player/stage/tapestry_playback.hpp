@@ -29,6 +29,7 @@ struct TapestryPlaybackOptions {
                                         // what is not woven yet; empty: nobody waits
     bool edits_keyframes = false;       // touches change the film's keyframes; needs `film` and `wishes_in`
     bool follows = false;               // it shows what another box shows: see follow()
+    std::optional<Vec2> opened_at;      // canvas px; none: the middle of the canvas
 };
 
 /// True: the tapestry was woven from the present content of the film.
@@ -43,9 +44,10 @@ class TapestryPlayback {
   public:
     /// @param directory  the tapestry's directory
     /// @throws std::runtime_error, std::system_error  naming the index that cannot be read
-    TapestryPlayback(std::filesystem::path directory, Vec2 canvas, const TapestryPlaybackOptions& options);
+    TapestryPlayback(std::filesystem::path directory, const TapestryRoom& room,
+                     const TapestryPlaybackOptions& options);
 
-    void set_canvas(Vec2 canvas) { show_.set_canvas(canvas); }
+    void set_room(const TapestryRoom& room) { show_.set_room(room); }
 
     void handle_gesture(const Gesture& gesture) { show_.handle_gesture(gesture); }
 

@@ -44,13 +44,21 @@ std::vector<nanoseconds> film_times_in(const ActJson& json, const char* key) {
     return moments;
 }
 
+TapestryRoom room_in(const ActJson& json) {
+    const TapestryRoom room{canvas_in(json.at("canvas")), box_in(json.at("screen"))};
+    if (room.screen.is_empty() || intersection(room.screen, {{0, 0}, room.canvas}) != room.screen)
+        throw ActFault("the leader tells of a tapestry before a screen that is not on its canvas");
+    return room;
+}
+
 }  // namespace
 
 ActJson tapestry_to_json(const TapestryMoment& seen) {
     ActJson json{{"path", seen.path},
                  {"folder", seen.folder},
                  {"levels", seen.levels},
-                 {"canvas", to_act_json(seen.canvas)},
+                 {"canvas", to_act_json(seen.room.canvas)},
+                 {"screen", to_act_json(seen.room.screen)},
                  {"opened_ns", seen.opened.count()},
                  {"centre_ns", seen.view.centre.count()},
                  {"level", seen.view.level},
@@ -71,7 +79,7 @@ TapestryMoment tapestry_from_json(const ActJson& json) {
         .path = json.at("path").get<std::string>(),
         .folder = json.at("folder").get<std::string>(),
         .levels = static_cast<int>(whole_in(json, "levels", 0, max_levels)),
-        .canvas = canvas_in(json.at("canvas")),
+        .room = room_in(json),
         .opened = time_in(json, "opened_ns"),
         .view = {.centre = film_time_in(json, "centre_ns"), .level = number_in(json.at("level"), max_levels)},
         .width = number_in(json.at("width"), max_ribbon_length),

@@ -16,7 +16,7 @@ constexpr auto strip_fade = std::chrono::milliseconds(300);
 }  // namespace
 
 void ComingStrip::advance(nanoseconds now, const TapestryPlace& shown, const TapestryView& view) {
-    const TapestryPlace place(strip_.tapestry(), shown.box());
+    const TapestryPlace place(strip_.tapestry(), shown.box(), shown.screen());
     view_ = view_like(place, shown, view);
     strip_.want_seen(place, view_);
     if (!began_ && strip_.missing(false).empty()) began_ = now;

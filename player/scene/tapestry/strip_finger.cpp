@@ -10,7 +10,7 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr double closing_pinch = 0.75;  // factor of a pinch at the coarsest level that closes the tapestry
-constexpr double grip = 0.04;           // share of the canvas' height: a finger so near to the line takes it
+constexpr double grip = 0.04;           // share of the screen's height: a finger so near to the line takes it
 constexpr double edge = 0.08;           // share of the strip's width in which it comes towards the finger
 constexpr double edge_speed = 0.8;      // of its width a second, at the very edge
 
@@ -106,7 +106,8 @@ void StripFinger::edit(const Gesture& tap, const TouchedStrip& strip) {
     const TapestryView& view = strip.motion.view();
     if (tap.at.y > strip.boxes.strip.max.y) {
         const KeyframeChoice& choice = strip.edit->choice();
-        const auto mark = mark_at(tap.at.x, strip.place, view, choice, grip * strip.boxes.canvas.y);
+        const auto mark =
+            mark_at(tap.at.x, strip.place, view, choice, grip * strip.boxes.room.screen.height());
         if (mark) strip.edit->take_back(*mark);
     } else if (is_on_strip(tap, strip)) {
         has_chosen_ = true;
@@ -142,7 +143,8 @@ void StripFinger::drag(const Gesture& drag, const TouchedStrip& strip) {
 
 bool StripFinger::goes_over(const Gesture& drag, const TouchedStrip& strip) const {
     const bool is_whole = strip.place.width(strip.motion.view().level) <= strip.boxes.strip.width() + 1;
-    const bool takes_line = line_x_ && std::abs(drag.from.x - *line_x_) <= grip * strip.boxes.canvas.y;
+    const bool takes_line =
+        line_x_ && std::abs(drag.from.x - *line_x_) <= grip * strip.boxes.room.screen.height();
     return has_rested_ || is_whole || takes_line;
 }
 

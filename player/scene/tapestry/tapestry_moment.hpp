@@ -24,7 +24,7 @@ struct TapestryMoment {
     std::string path;    // of the film
     std::string folder;  // of its tiles, which is another one each time it is woven; empty: not woven yet
     int levels = 0;      // their number, which grows while it is woven
-    Vec2 canvas;         // px
+    TapestryRoom room;
     std::chrono::nanoseconds opened{0};  // the show's time
     TapestryView view;
     double width = 0;                                    // canvas px of the whole film at the view's level

@@ -13,7 +13,7 @@ using std::chrono::nanoseconds;
 
 constexpr double min_speed = 8;  // canvas px per second; a slower strip stops
 constexpr double key_way = 0.3;  // share of the box' width
-// Shares of the box' width between which what plays goes through a strip that rests: more is seen of what
+// Shares of the screen's width between which what plays goes through a strip that rests: more is seen of what
 // comes.
 constexpr double first_stand = 0.1;
 constexpr double last_stand = 0.7;
@@ -62,7 +62,7 @@ void TapestryMotion::handle_gesture(const Gesture& gesture, const TapestryPlace&
         return zoom_by_one(gesture.factor > 1, gesture.at.x);
     case Gesture::Kind::key:
         if (gesture.key == Key::nearer || gesture.key == Key::farther)
-            return zoom_by_one(gesture.key == Key::nearer, place.box().centre().x);
+            return zoom_by_one(gesture.key == Key::nearer, place.screen().centre().x);
         if (gesture.key == Key::left || gesture.key == Key::right)
             speed_ =
                 (gesture.key == Key::left ? 1 : -1) * key_way * place.box().width() / seconds(pace_.glide);
@@ -81,7 +81,7 @@ void TapestryMotion::move_to(const TapestryPlace& to, const TapestryPlace& from)
         zoom_->to = std::round(level_of(zoom_->to));
     }
     view_ = view_like(to, from, view_);
-    if (!zoom_ && hold_ != Hold::held) settle(to.box().centre().x);
+    if (!zoom_ && hold_ != Hold::held) settle(to.screen().centre().x);
 }
 
 void TapestryMotion::zoom_to(double level, double at) {
@@ -121,8 +121,9 @@ void TapestryMotion::keep_in_view(nanoseconds passed, const TapestryPlace& place
     const bool is_moved = hold_ == Hold::held || speed_ != 0 || (zoom_ && !is_by_itself());
     if (hold_ != Hold::held && (is_moved || is_seen)) hold_ = is_seen ? Hold::free : Hold::away;
     if (is_moved || hold_ == Hold::away) return;
-    const double beyond =
-        x - std::clamp(x, box.min.x + first_stand * box.width(), box.min.x + last_stand * box.width());
+    const Box& screen = place.screen();
+    const double beyond = x - std::clamp(x, screen.min.x + first_stand * screen.width(),
+                                         screen.min.x + last_stand * screen.width());
     if (beyond != 0)
         view_ = place.moved(view_, -beyond * (1 - std::exp(-seconds(passed) / seconds(pace_.glide))));
 }
@@ -162,7 +163,7 @@ void TapestryMotion::go_by_itself(nanoseconds now, nanoseconds passed, const Tap
     if (level < 0 || level > place.max_level()) level_step_ = -level_step_;
     const Box& box = place.box();
     const double at =
-        followed_ ? place.canvas_x(view_, *followed_) : (box.min.x + box.max.x) / 2;  // stays in view
+        followed_ ? place.canvas_x(view_, *followed_) : place.screen().centre().x;  // stays in view
     zoom_to(std::round(view_.level) + level_step_, std::clamp(at, box.min.x, box.max.x));
 }
 

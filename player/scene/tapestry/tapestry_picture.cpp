@@ -15,11 +15,11 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr double strip_top = 0.62;     // share of the canvas' height
-constexpr double strip_height = 0.31;  // share of the canvas' height
-constexpr double preview_top = 0.05;   // share of the canvas' height
-constexpr double preview_room = 0.52;  // share of the canvas' height, filled as the shape allows
-constexpr double preview_width = 0.9;  // limit, as a share of the canvas' width
+constexpr double strip_top = 0.62;     // share of the screen's height
+constexpr double strip_height = 0.31;  // share of the screen's height
+constexpr double preview_top = 0.05;   // share of the screen's height
+constexpr double preview_room = 0.52;  // share of the screen's height, filled as the shape allows
+constexpr double preview_width = 0.9;  // limit, as a share of the screen's width
 constexpr int level_bits = 26;         // bits in a source's number for the number of a tile within its level
 constexpr int generation_bit = 33;
 constexpr SourceId film_bit = SourceId{1} << 40;
@@ -31,14 +31,14 @@ constexpr int edge_points = 6;           // points of each side of the soft edge
 constexpr double nearly_opaque = 0.999;  // a soft edge needs an item that is not opaque
 constexpr double playhead_alpha = 0.85;
 constexpr double unwoven_alpha = 0.12;  // of the place of a strip that is not woven yet
-constexpr double digit_height = 0.034;  // share of the canvas' height
-constexpr double digit_gap = 0.006;     // between digits and strip, share of the canvas' height
+constexpr double digit_height = 0.034;  // share of the screen's height
+constexpr double digit_gap = 0.006;     // between digits and strip, share of the screen's height
 constexpr auto alike = 40ms;            // a sharp picture so near to a moment shows it
 constexpr double struck_alpha = 0.6;    // of the veil over a struck picture
-constexpr double mark_gap = 0.012;      // between the strip and the marks below, share of the canvas' height
-constexpr double mark_length = 0.03;    // of a mark, share of the canvas' height
-constexpr double mark_width = 0.007;    // of a mark, share of the canvas' height
-constexpr double playhead_lines = 720;  // canvas px of height for which half the playhead is 1 px wide
+constexpr double mark_gap = 0.012;      // between the strip and the marks below, share of the screen's height
+constexpr double mark_length = 0.03;    // of a mark, share of the screen's height
+constexpr double mark_width = 0.007;    // of a mark, share of the screen's height
+constexpr double playhead_lines = 720;  // px of the screen's height for which half the playhead is 1 px wide
 
 std::vector<std::array<Vec2, 3>> triangles_of(const Box& box) {
     const Vec2 right_top{box.max.x, box.min.y};
@@ -96,8 +96,8 @@ class Drawing {
   public:
     Drawing(const DrawnTapestry& drawn, nanoseconds now)
         : drawn_(drawn),
-          place_(drawn.tapestry, drawn.boxes.strip),
-          frame_{.canvas = drawn.boxes.canvas, .idle = 1, .time = now} {}
+          place_(strip_place(drawn.tapestry, drawn.boxes)),
+          frame_{.canvas = drawn.boxes.room.canvas, .idle = 1, .time = now} {}
 
     void draw_strip();
     void draw_coming();
@@ -214,7 +214,7 @@ void Drawing::draw_level(std::size_t level, double alpha) {
 void Drawing::draw_coming() {
     if (!drawn_.coming) return;
     const OverlaidStrip& coming = *drawn_.coming;
-    const TapestryPlace place(*coming.tapestry, box());
+    const TapestryPlace place = strip_place(*coming.tapestry, drawn_.boxes);
     const auto level = static_cast<std::size_t>(std::lround(coming.view.level));
     for (const TilePiece& piece : place.pieces(coming.view, level, box().min.x, box().max.x))
         if (coming.tiles->has(piece.tile))
@@ -281,10 +281,10 @@ void Drawing::draw_time(nanoseconds time, double x) {
     if (!drawn_.kept.has(digits_picture(drawn_.tapestry))) return;
     const std::string words = time_in_words(time);
     const DigitCells& digits = drawn_.tapestry.digits;
-    const double high = std::round(digit_height * drawn_.boxes.canvas.y);
+    const double high = std::round(digit_height * drawn_.boxes.room.screen.height());
     const double wide = std::round(high * digits.width / digits.height);
     const double all = wide * static_cast<double>(words.size());
-    const double bottom = box().min.y - std::round(digit_gap * drawn_.boxes.canvas.y);
+    const double bottom = box().min.y - std::round(digit_gap * drawn_.boxes.room.screen.height());
     double left = std::max(box().min.x, std::min(std::round(x - all / 2), box().max.x - all));
     for (const char glyph : words) {
         const Box at{{left, bottom - high}, {left + wide, bottom}};
@@ -309,7 +309,7 @@ void Drawing::draw_playhead() {
     const std::optional<nanoseconds> time = drawn_.preview.playhead(frame_.time);
     if (!time) return;
     const double x = std::round(place_.canvas_x(drawn_.view, *time));
-    const double half = std::max(1.0, std::round(drawn_.boxes.canvas.y / playhead_lines));
+    const double half = std::max(1.0, std::round(drawn_.boxes.room.screen.height() / playhead_lines));
     if (x < box().min.x || x > box().max.x) return;
     draw_time(*time, x);
     const Box line{{x - half, box().min.y}, {x + half, box().max.y}};
@@ -319,7 +319,7 @@ void Drawing::draw_playhead() {
 /// Lays a pale veil over the pictures of the nearest level that are struck; they are there until the tapestry
 /// is woven anew.
 void draw_struck(const DrawnTapestry& drawn, Frame& frame) {
-    const TapestryPlace place(drawn.tapestry, drawn.boxes.strip);
+    const TapestryPlace place = strip_place(drawn.tapestry, drawn.boxes);
     const auto level = static_cast<std::size_t>(std::lround(drawn.view.level));
     for (std::size_t k = 0; k < drawn.tapestry.levels[level].keyframes.size(); ++k) {
         const StripPicture picture{.time = drawn.tapestry.keyframe_time(level, k), .is_lower = k % 2 == 1};
@@ -333,8 +333,8 @@ void draw_struck(const DrawnTapestry& drawn, Frame& frame) {
 void draw_edit(const DrawnTapestry& drawn, Frame& frame) {
     if (drawn.edited == nullptr) return;
     if (!is_unwoven(drawn.tapestry)) draw_struck(drawn, frame);
-    const TapestryPlace place(drawn.tapestry, drawn.boxes.strip);
-    const double high = drawn.boxes.canvas.y;
+    const TapestryPlace place = strip_place(drawn.tapestry, drawn.boxes);
+    const double high = drawn.boxes.room.screen.height();
     const double top = place.box().max.y + mark_gap * high;
     const auto draw_marks = [&](const std::vector<nanoseconds>& moments, Vec2 size) {
         for (const nanoseconds moment : moments) {
@@ -351,15 +351,23 @@ void draw_edit(const DrawnTapestry& drawn, Frame& frame) {
 
 }  // namespace
 
-TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture) {
-    const double height = std::min(preview_room * canvas.y, preview_width * canvas.x * picture.y / picture.x);
+TapestryBoxes tapestry_boxes(const TapestryRoom& room, Vec2 picture) {
+    const Box& screen = room.screen;
+    const double high = screen.height();
+    const double height =
+        std::min(preview_room * high, preview_width * screen.width() * picture.y / picture.x);
     const double half = height * picture.x / picture.y / 2;
-    const double top = preview_top * canvas.y + (preview_room * canvas.y - height) / 2;
-    return {.canvas = canvas,
-            .strip = {{0, std::round(strip_top * canvas.y)},
-                      {canvas.x, std::round((strip_top + strip_height) * canvas.y)}},
-            .preview = {{std::round(canvas.x / 2 - half), std::round(top)},
-                        {std::round(canvas.x / 2 + half), std::round(top + height)}}};
+    const double top = screen.min.y + preview_top * high + (preview_room * high - height) / 2;
+    const double middle = screen.centre().x;
+    return {.room = room,
+            .strip = {{0, std::round(screen.min.y + strip_top * high)},
+                      {room.canvas.x, std::round(screen.min.y + (strip_top + strip_height) * high)}},
+            .preview = {{std::round(middle - half), std::round(top)},
+                        {std::round(middle + half), std::round(top + height)}}};
+}
+
+TapestryPlace strip_place(const Tapestry& tapestry, const TapestryBoxes& boxes) {
+    return {tapestry, boxes.strip, boxes.room.screen};
 }
 
 SourceId TapestrySources::tile(const TileId& tile) const {

@@ -13,13 +13,16 @@ namespace vitrine::player {
 
 /// The parts of the canvas that a tapestry uses, canvas px.
 struct TapestryBoxes {
-    Vec2 canvas;
-    Box strip;    // at the bottom
-    Box preview;  // above the strip, in the shape of the film's picture
+    TapestryRoom room;
+    Box strip;    // at the bottom of the room's screen, as wide as the canvas
+    Box preview;  // above the strip, in the shape of the film's picture; no bezel crosses it
 };
 
 /// @param picture  size of the film's upright picture; only its shape counts
-TapestryBoxes tapestry_boxes(Vec2 canvas, Vec2 picture);
+TapestryBoxes tapestry_boxes(const TapestryRoom& room, Vec2 picture);
+
+/// The place of a tapestry's strip. Borrows the tapestry.
+TapestryPlace strip_place(const Tapestry& tapestry, const TapestryBoxes& boxes);
 
 /// The source numbers of one tapestry, from `first` on.
 struct TapestrySources {

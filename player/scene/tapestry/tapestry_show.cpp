@@ -38,7 +38,7 @@ TapestryMoment seen_moment(const DrawnTapestry& drawn, double width) {
     return {.path = drawn.film.path,
             .folder = drawn.tapestry.folder,
             .levels = static_cast<int>(drawn.tapestry.levels.size()),
-            .canvas = drawn.boxes.canvas,
+            .room = drawn.boxes.room,
             .view = drawn.view,
             .width = width,
             .above = seen_span(drawn.preview.above()),
@@ -50,11 +50,11 @@ TapestryMoment seen_moment(const DrawnTapestry& drawn, double width) {
 
 }  // namespace
 
-TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
+TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, const TapestryRoom& room,
                            const TapestrySettings& settings)
     : strips_(std::move(tapestry), settings.first_source, settings.max_tile_bytes),
       patience_(settings.patience),
-      boxes_(tapestry_boxes(canvas, film.picture)),
+      boxes_(tapestry_boxes(room, film.picture)),
       motion_({.centre = settings.first_seen}, settings.pace),
       spans_(std::move(film), sources().film()),
       preview_(spans_) {
@@ -62,9 +62,9 @@ TapestryShow::TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas,
     if (settings.plays_at_once) preview_.play(settings.first_seen, boxes_.preview.width());
 }
 
-void TapestryShow::set_canvas(Vec2 canvas) {
-    if (canvas == boxes_.canvas) return;
-    boxes_ = tapestry_boxes(canvas, film().picture);
+void TapestryShow::set_room(const TapestryRoom& room) {
+    if (room == boxes_.room) return;
+    boxes_ = tapestry_boxes(room, film().picture);
     const std::optional<std::chrono::nanoseconds> awaited = preview_.awaited();
     preview_.stop_outdated();
     if (awaited) preview_.play(*awaited, boxes_.preview.width());
@@ -72,7 +72,7 @@ void TapestryShow::set_canvas(Vec2 canvas) {
 
 void TapestryShow::set_film(PreviewedFilm film) {
     spans_.set_film(std::move(film));
-    boxes_ = tapestry_boxes(boxes_.canvas, this->film().picture);
+    boxes_ = tapestry_boxes(boxes_.room, this->film().picture);
 }
 
 void TapestryShow::handle_gesture(const Gesture& gesture) {
@@ -127,7 +127,7 @@ void TapestryShow::follow(const TapestryMoment& seen, nanoseconds now) {
 }
 
 TapestryStep TapestryShow::step(nanoseconds now, const TapestryMoment* seen) {
-    strips_.advance(now, boxes_.strip, motion_);
+    strips_.advance(now, boxes_, motion_);
     if (seen != nullptr)
         follow(*seen, now);
     else

@@ -46,10 +46,10 @@ struct TapestryStep {
 /// yet has an empty strip; a newer tapestry of the film fades in over the one that is shown.
 class TapestryShow {
   public:
-    /// @param canvas  px
-    TapestryShow(Tapestry tapestry, PreviewedFilm film, Vec2 canvas, const TapestrySettings& settings);
+    TapestryShow(Tapestry tapestry, PreviewedFilm film, const TapestryRoom& room,
+                 const TapestrySettings& settings);
 
-    void set_canvas(Vec2 canvas);
+    void set_room(const TapestryRoom& room);
 
     /// Call when the film's record has come or has changed: the store may have more of its shots.
     void set_film(PreviewedFilm film);
@@ -92,7 +92,7 @@ class TapestryShow {
     const Tapestry& tapestry() const { return strips_.shown().tapestry(); }
 
     /// The strip's place on the canvas. Borrows the tapestry.
-    TapestryPlace place() const { return {tapestry(), boxes_.strip}; }
+    TapestryPlace place() const { return strip_place(tapestry(), boxes_); }
 
   private:
     void go_on(std::chrono::nanoseconds now);

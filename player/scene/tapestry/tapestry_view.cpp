@@ -39,6 +39,12 @@ double level_of_width(const TapestryPlace& place, double wanted) {
     return low;
 }
 
+/// True if the view lies between this level and a neighbouring one, and zoom fields connect the two.
+bool is_zooming(const Tapestry& tapestry, const TapestryView& view, std::size_t level) {
+    const Between at = between(view.level, tapestry.levels.size());
+    return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry.levels[at.fine].has_zoom;
+}
+
 }  // namespace
 
 double TapestryPlace::strip_x(double level, nanoseconds time) const {
@@ -61,18 +67,12 @@ nanoseconds TapestryPlace::time_of(double level, double x) const {
     return low;
 }
 
-/// True if the view lies between this level and a neighbouring one, and zoom fields connect the two.
-bool TapestryPlace::is_zooming(const TapestryView& view, std::size_t level) const {
-    const Between at = between(view.level, tapestry_.levels.size());
-    return at.share > 0 && (level == at.coarse || level == at.fine) && tapestry_.levels[at.fine].has_zoom;
-}
-
 Placement TapestryPlace::zoom_placement(const TapestryView& view, const ZoomMesh& mesh) const {
     const Between at = between(view.level, tapestry_.levels.size());
-    const double middle = (box_.min.x + box_.max.x) / 2;
     const double origin = mesh.coarse_origin + at.share * (mesh.fine_origin - mesh.coarse_origin);
-    return {.scale = scale(),
-            .offset = {middle + scale() * (origin - strip_x(view.level, view.centre)), box_.min.y}};
+    return {
+        .scale = scale(),
+        .offset = {screen_.centre().x + scale() * (origin - strip_x(view.level, view.centre)), box_.min.y}};
 }
 
 double TapestryPlace::width(double level) const {
@@ -80,21 +80,24 @@ double TapestryPlace::width(double level) const {
 }
 
 double TapestryPlace::canvas_x(const TapestryView& view, nanoseconds time) const {
-    const double middle = (box_.min.x + box_.max.x) / 2;
-    return middle + scale() * (strip_x(view.level, time) - strip_x(view.level, view.centre));
+    return screen_.centre().x + scale() * (strip_x(view.level, time) - strip_x(view.level, view.centre));
 }
 
 nanoseconds TapestryPlace::time_at(const TapestryView& view, double canvas_x) const {
-    const double middle = (box_.min.x + box_.max.x) / 2;
-    return time_of(view.level, strip_x(view.level, view.centre) + (canvas_x - middle) / scale());
+    return time_of(view.level, strip_x(view.level, view.centre) + (canvas_x - screen_.centre().x) / scale());
 }
 
 TapestryView TapestryPlace::bounded(TapestryView view) const {
     view.level = std::clamp(view.level, 0.0, max_level());
     const double whole = strip_x(view.level, tapestry_.duration);
-    const double half = std::min(whole, box_.width() / scale()) / 2;
+    const double before = (screen_.centre().x - box_.min.x) / scale();  // room of the strip
+    const double after = (box_.max.x - screen_.centre().x) / scale();
+    const double half = std::min(whole, screen_.width() / scale()) / 2;
+    const bool fills = whole >= before + after;
+    const double least = fills ? before : std::max(half, whole - after);
+    const double most = fills ? whole - after : std::min(whole - half, before);
     const double x = strip_x(view.level, view.centre);
-    const double within = std::clamp(x, half, whole - half);
+    const double within = std::clamp(x, least, std::max(least, most));
     if (within != x) view.centre = time_of(view.level, within);
     return view;
 }
@@ -108,8 +111,7 @@ TapestryView TapestryPlace::moved(const TapestryView& view, double by) const {
 TapestryView TapestryPlace::zoomed(const TapestryView& view, double level, double canvas_x) const {
     const nanoseconds kept = time_at(view, canvas_x);
     TapestryView next{.centre = view.centre, .level = std::clamp(level, 0.0, max_level())};
-    const double middle = (box_.min.x + box_.max.x) / 2;
-    next.centre = time_of(next.level, strip_x(next.level, kept) - (canvas_x - middle) / scale());
+    next.centre = time_of(next.level, strip_x(next.level, kept) - (canvas_x - screen_.centre().x) / scale());
     return bounded(next);
 }
 
@@ -186,7 +188,7 @@ std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& 
                                                             double left, double right) const {
     std::vector<std::pair<TileId, double>> tiles;
     const int count = tapestry_.tiles(level);
-    const bool is_zoom = is_zooming(view, level);
+    const bool is_zoom = is_zooming(tapestry_, view, level);
     const bool is_coarse = static_cast<double>(level) < view.level;
     const double more = is_zoom && is_coarse ? tapestry_.brick_width : 0;  // px of the strip
     const double reach = is_zoom && !is_coarse ? brick_width() : 0;        // canvas px
@@ -200,6 +202,11 @@ std::vector<std::pair<TileId, double>> TapestryPlace::tiles(const TapestryView& 
         tiles.push_back({{level, tile}, x});
     }
     return tiles;
+}
+
+TapestryRoom tapestry_room(const Canvas& canvas, Vec2 at) {
+    if (canvas.bands.empty()) return Vec2(canvas);
+    return {canvas, output_at(canvas, at)};
 }
 
 TapestryView view_like(const TapestryPlace& to, const TapestryPlace& from, const TapestryView& view) {

@@ -2,11 +2,13 @@
 
 #include "base/geometry/box.hpp"
 #include "base/state/tapestry.hpp"
+#include "player/layout/canvas.hpp"
 #include "player/layout/layout.hpp"
 #include "player/scene/zoom_mesh.hpp"
 
 #include <compare>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,12 +48,37 @@ struct StripPicture {
     bool operator==(const StripPicture&) const = default;
 };
 
-/// A tapestry's place in a box of the canvas: its strip is as high as the box. Borrows the tapestry, which
-/// must outlive this.
+/// A canvas, and the part of it that the visitor of a tapestry stands before.
+struct TapestryRoom {
+    Vec2 canvas;  // px
+    Box screen;   // canvas px, of one output, or the whole canvas
+
+    TapestryRoom() = default;
+
+    /// A canvas that is one room.
+    TapestryRoom(double width, double height) : TapestryRoom(Vec2{width, height}) {}
+
+    // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): a canvas is one room
+    TapestryRoom(Vec2 size) : canvas(size), screen{{0, 0}, size} {}
+
+    TapestryRoom(Vec2 size, const Box& seen) : canvas(size), screen(seen) {}
+
+    bool operator==(const TapestryRoom&) const = default;
+};
+
+/// The room before the output at a point. A canvas without bezels is one room.
+TapestryRoom tapestry_room(const Canvas& canvas, Vec2 at);
+
+/// A tapestry's place in a box of the canvas: its strip is as high as the box. The strip may cross several
+/// outputs; the view's moment is in the middle of one of them. Borrows the tapestry, which must outlive this.
 class TapestryPlace {
   public:
+    /// @param screen  of the output that the visitor stands before, within the box from left to right; none:
+    /// the
+    ///                whole box
     /// @pre the tapestry has a level, the box is not empty
-    TapestryPlace(const Tapestry& tapestry, const Box& box) : tapestry_(tapestry), box_(box) {}
+    TapestryPlace(const Tapestry& tapestry, const Box& box, std::optional<Box> screen = std::nullopt)
+        : tapestry_(tapestry), box_(box), screen_(screen.value_or(box)) {}
 
     /// Width of the whole film at a level, canvas px.
     double width(double level) const;
@@ -59,7 +86,8 @@ class TapestryPlace {
     double canvas_x(const TapestryView& view, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_at(const TapestryView& view, double canvas_x) const;
 
-    /// The nearest view with as little room beside the film as possible.
+    /// The nearest view with as little room beside the film as possible. A film that is narrower than the
+    /// screen is in its middle; one that is wider, but not as wide as the box, fills the screen.
     TapestryView bounded(TapestryView view) const;
 
     /// The view after a move of the strip. @param by  canvas px to the right
@@ -96,10 +124,12 @@ class TapestryPlace {
 
     const Box& box() const { return box_; }
 
+    /// The view's moment is in its middle.
+    const Box& screen() const { return screen_; }
+
     double max_level() const { return static_cast<double>(tapestry_.levels.size() - 1); }
 
   private:
-    bool is_zooming(const TapestryView& view, std::size_t level) const;
     double strip_x(double level, std::chrono::nanoseconds time) const;
     std::chrono::nanoseconds time_of(double level, double x) const;
 
@@ -107,6 +137,7 @@ class TapestryPlace {
 
     const Tapestry& tapestry_;  // outlives this
     Box box_;
+    Box screen_;
 };
 
 /// The view of a tapestry that is most like one of another tapestry of the same film: the same moment in the

@@ -32,12 +32,12 @@ void WovenStrips::add(unsigned generation, const TileId& tile, TileZooms zooms) 
         retire(coming_->add(tile, std::move(zooms)));
 }
 
-void WovenStrips::advance(std::chrono::nanoseconds now, const Box& box, TapestryMotion& motion) {
+void WovenStrips::advance(std::chrono::nanoseconds now, const TapestryBoxes& boxes, TapestryMotion& motion) {
     if (!coming_) return;
-    const TapestryPlace place(shown_.tapestry(), box);
+    const TapestryPlace place = strip_place(shown_.tapestry(), boxes);
     coming_->advance(now, place, motion.view());
     if (!coming_->is_there(now)) return;
-    motion.move_to({coming_->strip().tapestry(), box}, place);
+    motion.move_to(strip_place(coming_->strip().tapestry(), boxes), place);
     retire(shown_.clear());
     shown_ = coming_->take();
     coming_.reset();

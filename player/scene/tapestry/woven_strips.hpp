@@ -39,7 +39,7 @@ class WovenStrips {
 
     /// Call with each frame. Once the newer one covers the older one, it is the one that is shown.
     /// @param now  never goes back
-    void advance(std::chrono::nanoseconds now, const Box& box, TapestryMotion& motion);
+    void advance(std::chrono::nanoseconds now, const TapestryBoxes& boxes, TapestryMotion& motion);
 
     /// Call when all tiles have been lost with the renderer.
     void forget_tiles();

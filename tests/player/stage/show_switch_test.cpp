@@ -46,7 +46,7 @@ TEST_CASE("a tapestry is opened on a wall that leads other boxes, too") {
         settings.wall.role = role;
         ShowSwitch shows(settings, 0, false);
         shows.set_time(10s);
-        CHECK(shows.open_tapestry(films.find("f"), 0) == Opening::opened);
+        CHECK(shows.open_tapestry(films.find("f"), 0, {}) == Opening::opened);
         CHECK(shows.tapestry() != nullptr);
     }
 }
@@ -64,9 +64,9 @@ TEST_CASE("a box that follows shows the leader's tapestry as long as the leader 
         shows.leave_finished_tapestry();
         return shows.tapestry() != nullptr ? shows.tapestry()->show().film().path : std::string();
     };
-    const TapestryMoment one{.path = "f", .canvas = {640, 360}, .opened = 10s};
-    const TapestryMoment other{.path = "g", .canvas = {640, 360}, .opened = 30s};
-    const TapestryMoment unknown{.path = "h", .canvas = {640, 360}, .opened = 50s};
+    const TapestryMoment one{.path = "f", .room = {640, 360}, .opened = 10s};
+    const TapestryMoment other{.path = "g", .room = {640, 360}, .opened = 30s};
+    const TapestryMoment unknown{.path = "h", .room = {640, 360}, .opened = 50s};
     CHECK(follow(5s, nullptr).empty());
     CHECK(follow(10s, &one) == "f");
     CHECK(shows.tapestry()->show().place().box().max.x == 640);

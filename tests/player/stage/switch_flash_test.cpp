@@ -74,7 +74,7 @@ class BlackAndWhiteFilms {
         const std::vector<SlotShot> standing = shows_->wall().standing();
         if (standing.empty() || shows_->tapestry() != nullptr) return;
         const RecordList::Record photo = files_.all().find(standing.front().key.path);
-        if (shows_->open_tapestry(photo, 0) == Opening::opened) ++opened_;
+        if (shows_->open_tapestry(photo, 0, {}) == Opening::opened) ++opened_;
     }
 
     void close_tapestry() {

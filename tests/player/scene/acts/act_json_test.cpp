@@ -310,7 +310,7 @@ TEST_CASE("a tapestry travels as it was seen") {
                    .tapestry = TapestryMoment{.path = "a/Zürich.mp4",
                                               .folder = "f3",
                                               .levels = 2,
-                                              .canvas = {2000, 562.5},
+                                              .room = {{2000, 562.5}, {{1000, 0}, {2000, 562.5}}},
                                               .opened = 1795591329152378001ns,
                                               .view = {.centre = 1234567891ns, .level = 1.3},
                                               .width = 4321.1,
@@ -329,6 +329,9 @@ TEST_CASE("a tapestry travels as it was seen") {
              {R"("canvas":[2000.0,562.5])", R"("canvas":[0,562.5])"},
              {R"("canvas":[2000.0,562.5])", R"("canvas":[2000,1e5])"},
              {R"("canvas":[2000.0,562.5])", R"("canvas":[])"},
+             {R"("screen":[1000.0,0.0,2000.0,562.5])", R"("screen":[1000,0,1000,562.5])"},
+             {R"("screen":[1000.0,0.0,2000.0,562.5])", R"("screen":[1000,0,2001,562.5])"},
+             {R"("screen":)", R"("door":)"},
              {R"("level":1.3)", R"("level":-1)"},
              {R"("level":1.3)", R"("level":65)"},
              {R"("levels":2)", R"("levels":-2)"},
@@ -356,7 +359,7 @@ TEST_CASE("changed tapestries are refused, or can be drawn at any time") {
                          .tapestry = TapestryMoment{.path = "film.mp4",
                                                     .folder = "tiles",
                                                     .levels = 4,
-                                                    .canvas = {640, 360},
+                                                    .room = {640, 360},
                                                     .opened = 2s,
                                                     .view = {.centre = 30s, .level = 1.5},
                                                     .width = 700,
@@ -374,7 +377,7 @@ TEST_CASE("changed tapestries are refused, or can be drawn at any time") {
         try {
             const auto read = lifted_from_json(changed(text, random)).tapestry;
             if (!read) continue;
-            strip.set_canvas(read->canvas);
+            strip.set_room(read->room);
             const TapestryMoment seen = moved(*read, -now / 2);
             for (int frame = 0; frame < 3; ++frame)
                 for (const ShotRequest& request : strip.step(now += 40ms, &seen).requests)

@@ -403,7 +403,7 @@ TEST_CASE("a tapestry in place of the wall is told to all boxes, and the wall co
     const Ns began = lead.time->now();
     house.led().tell_tapestry(TapestryMoment{.path = "a",
                                              .folder = "f",
-                                             .canvas = {1280, 720},
+                                             .room = {1280, 720},
                                              .opened = began,
                                              .view = {.centre = 7s, .level = 0.3},
                                              .above = SeenSpan{{3s, 9s}, began + 100ms}});

@@ -361,7 +361,7 @@ TEST_CASE("a strip begins where it was asked for, as far as the film's ends allo
 TEST_CASE("a film that is to play at once does so on a canvas of another size, too") {
     TapestryShow strip(drawn_tapestry(), drawn_film(), {1920, 1080},
                        {.first_source = 1000, .patience = {}, .plays_at_once = true, .first_seen = 20s});
-    strip.set_canvas({640, 360});
+    strip.set_room({640, 360});
     const TapestryStep step = strip.step(0s);
     REQUIRE(!step.requests.empty());
     const ShotRequest& request = step.requests.back();
@@ -827,4 +827,23 @@ TEST_CASE("a box without the film itself asks for nothing that the store has not
     boxes.follows.set_shots({TwoBoxes::stored_shot(10s, 40s), TwoBoxes::stored_shot(40s, 60s)});
     boxes.run(100ms);
     CHECK_FALSE(boxes.follows.playing.empty());  // its record is another one: the store may have it now
+}
+
+TEST_CASE("a tapestry on a canvas with bezels is that of one screen: its film crosses none, its strip all") {
+    const Canvas canvas = canvas_of({1340, 360}, {{{0, 0}, {640, 360}}, {{700, 0}, {1340, 360}}});
+    for (const Vec2 at : {Vec2{500, 100}, Vec2{720, 100}}) {
+        const Box screen = output_at(canvas, at);
+        TapestryShow strip(drawn_tapestry(), drawn_film(), tapestry_room(canvas, at), {.first_source = 1000});
+        const TapestryStep step = strip.step(0s);
+        CHECK(step.seen.room.screen == screen);
+        const TapestryBoxes boxes = tapestry_boxes(tapestry_room(canvas, at), drawn_film().picture);
+        const TapestryBoxes alone = tapestry_boxes({640, 360}, drawn_film().picture);
+        CHECK(boxes.preview == moved(alone.preview, screen.min));
+        CHECK(boxes.strip == Box{alone.strip.min, {1340, alone.strip.max.y}});
+        CHECK(strip.place().canvas_x(strip.view(), strip.view().centre) ==
+              doctest::Approx(screen.centre().x));
+    }
+    CHECK(tapestry_room({640, 360}, {9, 9}) == TapestryRoom(640, 360));
+    const Canvas touching = canvas_of({1280, 360}, {{{0, 0}, {640, 360}}, {{640, 0}, {1280, 360}}});
+    CHECK(tapestry_room(touching, {9, 9}).screen == Box{{0, 0}, {1280, 360}});
 }

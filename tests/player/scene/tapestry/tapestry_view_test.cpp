@@ -140,3 +140,32 @@ TEST_CASE("a film of one keyframe has a strip too") {
     CHECK(place.pieces(view, 0, 0, 320).size() == 1);
     CHECK(place.levels_for(0, 2) == 0);
 }
+
+TEST_CASE("before one screen of several a narrow film is in its middle, a wider one fills it") {
+    const Tapestry tapestry = drawn_tapestry();
+    for (const double from : {0.0, 340.0, 680.0}) {
+        const double to = from + 320;
+        const TapestryPlace place(tapestry, {{0, 200}, {1000, 290}}, Box{{from, 0}, {to, 300}});
+        for (const double level : {0.0, 1.0, 3.0}) {
+            for (const auto centre : {0s, 20s, 60s}) {
+                const TapestryView view = place.bounded({.centre = centre, .level = level});
+                const double left = place.canvas_x(view, 0s);
+                const double right = place.canvas_x(view, 60s);
+                INFO(from, " ", level, " ", centre.count(), ": ", left, " to ", right);
+                if (place.width(level) <= 320) {
+                    CHECK(left + right == doctest::Approx(from + to));
+                } else {
+                    CHECK(left <= from + 1e-6);
+                    CHECK(right >= to - 1e-6);
+                }
+                if (place.width(level) >= 1000) {
+                    CHECK(left <= 1e-6);
+                    CHECK(right >= 1000 - 1e-6);
+                } else {
+                    CHECK(left >= -1e-6);
+                    CHECK(right <= 1000 + 1e-6);
+                }
+            }
+        }
+    }
+}
