@@ -19,7 +19,8 @@ void PanelHours::look(std::optional<std::chrono::local_seconds> local, std::chro
     constexpr double change_a_second = 0.05;  // of the light
     const bool is_open =
         rules_.on.empty() || !local || find_window(rules_.on, *local, rules_.holidays) != nullptr;
-    is_on_ = is_open || now < awake_until_;
+    is_awake_ = now < awake_until_;
+    is_on_ = is_open || is_awake_ || are_others_awake_;
     const DayWindow* dim = local ? find_window(rules_.dim, *local, rules_.holidays) : nullptr;
     const double wanted = dim == nullptr ? 1 : dim->share;
     const double seconds = std::chrono::duration<double>(now - looked_.value_or(now)).count();
@@ -29,7 +30,7 @@ void PanelHours::look(std::optional<std::chrono::local_seconds> local, std::chro
 }
 
 void PanelHours::wake(std::chrono::nanoseconds now) {
-    if (!rules_.on.empty()) awake_until_ = now + rules_.awake;
+    awake_until_ = now + rules_.awake;
 }
 
 std::string PanelHours::take_news() {

@@ -43,6 +43,12 @@ class PanelHours {
 
     bool is_on() const { return is_on_; }
 
+    /// True for a while after a touch, whatever the hours are.
+    bool is_awake() const { return is_awake_; }
+
+    /// Lights the panels for as long as a touch has lit those of another box of the wall.
+    void set_others_awake(bool are_awake) { are_others_awake_ = are_awake; }
+
     /// The share of the light, (0, 1]. It changes slowly.
     double light() const { return light_; }
 
@@ -53,6 +59,8 @@ class PanelHours {
     PanelRules rules_;
     bool is_on_ = true;
     bool is_told_on_ = true;
+    bool is_awake_ = false;
+    bool are_others_awake_ = false;
     double light_ = 1;
     std::optional<std::chrono::nanoseconds> looked_;
     std::chrono::nanoseconds awake_until_{0};

@@ -34,10 +34,11 @@ struct KnownOutput {
     bool operator==(const KnownOutput&) const = default;
 };
 
-/// The outputs of the other boxes of a wall, named BOX/OUTPUT.
+/// The other boxes of a wall. Their outputs are named BOX/OUTPUT.
 struct OtherOutputs {
     std::vector<KnownOutput> outputs;
     bool has_guides = false;  // the box that leads draws guides on its own
+    bool are_awake = false;   // a touch has lit the panels of one of them
 };
 
 /// An output's part of the canvas.

@@ -108,6 +108,7 @@ BoxMoment WallLink::moment(std::chrono::nanoseconds now) const {
         .now = now,
         .epoch = shared.epoch(),
         .own = {.has_guides = has_guides_,
+                .is_awake = is_awake_,
                 .outputs = outputs_,
                 .has_right_clock = shared.is_right(),
                 .difference = std::chrono::duration_cast<std::chrono::microseconds>(shared.difference())}};
@@ -117,8 +118,12 @@ void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chr
     if (!talk_) return;
     outputs_ = outputs_of(screens);
     has_guides_ = stages.has_guides();
-    if (screens.empty() && settings_.wall.role == WallRole::follow) return;  // the newest waits for a screen
-    for (const WallMessage& message : std::exchange(heard_, {})) {
+    const bool waits = screens.empty() && settings_.wall.role == WallRole::follow;  // for a screen
+    for (WallMessage& message : std::exchange(heard_, {})) {
+        if (waits && message.topic.kind != WallTopic::Kind::box) {
+            heard_.push_back(std::move(message));
+            continue;
+        }
         try {
             talk_->hear(message);
         } catch (const std::runtime_error& fault) {
@@ -126,17 +131,18 @@ void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chr
         }
     }
     follow_others();
+    if (waits) return;
     talk_->direct(stages.first().wall(), moment(now));
     touch(stages.first(), now);
 }
 
-/// Takes the outputs of the boxes that are there, and the leader's guides.
+/// Takes the outputs of the boxes that are there, the leader's guides, and if one was touched.
 void WallLink::follow_others() {
-    others_->outputs.clear();
-    others_->has_guides = false;
+    *others_ = {};
     for (const auto& [box, note] : talk_->others()) {
         if (note.is_gone) continue;
         others_->has_guides |= note.leads && note.has_guides;
+        others_->are_awake |= note.is_awake;
         for (const BoxOutput& output : note.outputs)
             others_->outputs.push_back({.name = box + "/" + output.name,
                                         .width = output.width,

@@ -54,8 +54,11 @@ class WallLink {
     /// The moment of the steady clock at which now() is 0, as far as now() goes on as it does.
     EventLoop::Clock::time_point start() const { return clock_.start(); }
 
+    /// Tells the other boxes if a touch has lit the panels of this one.
+    void set_awake(bool is_awake) { is_awake_ = is_awake; }
+
     /// Call before each frame: the first stage hears what the others have said, and how they were touched.
-    /// @param screens  of this box; none: if it follows, it hears the newest once it has one
+    /// @param screens  of this box; none: if it follows, it hears of the wall once it has one
     /// @param now      of the frame
     void direct(Stages& stages, std::span<Screen* const> screens, std::chrono::nanoseconds now);
 
@@ -81,6 +84,7 @@ class WallLink {
     std::vector<WallMessage> heard_;
     std::vector<BoxOutput> outputs_;
     bool has_guides_ = false;
+    bool is_awake_ = false;
     std::string complaint_;  // the last one
     std::string link_says_ = "vitrine-link is not there";
     bool is_linked_ = false;

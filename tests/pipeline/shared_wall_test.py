@@ -256,13 +256,16 @@ class Wall(unittest.TestCase):
         leader = self.start_player(self.left, "dark", "--media.root", self.media, "--layout.slots", 1, "--show.dwell_seconds", 2, "--show.order", "name",
                                    "--show.motion_milliseconds", 200, *self.off_now(), films=False)
         heard = self.listen()
-        follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--duration", "16s")
+        script = self.folder / "touch"
+        script.write_text("14 tap 160 90\n")
+        follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--rehearse", script, "--duration", "16s")
         until("the wall of the others is saved", lambda: self.ctl(self.left, "layout", "save", "a").returncode == 0)
         self.assertEqual(follower.wait(PATIENCE), 0, (self.right.root / "lit.log").read_text())
         leader.send_signal(signal.SIGTERM)
         ended, log = leader.wait(PATIENCE), (self.left.root / "dark.log").read_text()
         self.assertEqual(ended, 0, log)
         self.assertIn("panels off", log)
+        self.assertIn("panels on", log, "a touch on the other box lights them")
         self.assertGreater(len([topic for _, topic in heard if topic == "act"]), 2, "one after the other")
         self.assertTrue(any(max(picture) > BRIGHT for picture in small_pictures(self.folder / "lit.mp4")))
 

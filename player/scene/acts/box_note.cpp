@@ -43,7 +43,8 @@ BoxOutput output_in(const ActJson& json) {
 BoxNote box_note_in(const ActJson& json) {
     BoxNote note{.leads = json.value("leads", false),
                  .is_gone = json.value("gone", false),
-                 .has_guides = json.value("has_guides", false)};
+                 .has_guides = json.value("has_guides", false),
+                 .is_awake = json.value("is_awake", false)};
     if (json.contains("outputs"))
         for (const ActJson& output : array_in(json, "outputs", max_outputs))
             note.outputs.push_back(output_in(output));
@@ -71,6 +72,7 @@ std::string to_json(const BoxNote& note) {
     ActJson json{{"version", 1},
                  {"leads", note.leads},
                  {"has_guides", note.has_guides},
+                 {"is_awake", note.is_awake},
                  {"has_right_clock", note.has_right_clock},
                  {"difference_us", note.difference.count()},
                  {"outputs", ActJson::array()},

@@ -11,9 +11,10 @@ constexpr auto told_anew = std::chrono::seconds(10);
 constexpr auto told_soon = std::chrono::seconds(1);  // not more often, unless it is urgent
 constexpr std::size_t max_boxes = 64;
 
-/// True for what others wait for: the box has other outputs, or shows its first act.
+/// True for what others wait for: the box has other outputs, was touched, or shows its first act.
 bool is_urgent(const BoxNote& note, const BoxNote& told) {
-    return note.outputs != told.outputs || note.shown.has_value() != told.shown.has_value();
+    return note.outputs != told.outputs || note.is_awake != told.is_awake ||
+           note.shown.has_value() != told.shown.has_value();
 }
 
 /// True if both tell the same but for the clock's difference.

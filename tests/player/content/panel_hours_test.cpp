@@ -54,6 +54,24 @@ TEST_CASE("without hours, and as long as the time is not known, panels are on") 
     CHECK(hours.is_on());
 }
 
+TEST_CASE("a touch on another box lights the panels as long as it lights that box's") {
+    PanelHours hours = hours_of("08-18");
+    hours.set_others_awake(true);
+    CHECK(is_on(hours, monday, 0s));
+    CHECK_FALSE(hours.is_awake());
+    hours.set_others_awake(false);
+    CHECK_FALSE(is_on(hours, monday, 1s));
+    hours.wake(2s);
+    CHECK(is_on(hours, monday, 3s));
+    CHECK(hours.is_awake());
+    CHECK_FALSE(is_on(hours, monday, 2s + 10min));
+    CHECK_FALSE(hours.is_awake());
+    PanelHours always = hours_of("");
+    always.wake(0s);
+    CHECK(is_on(always, monday, 1s));
+    CHECK(always.is_awake());  // the other boxes may have hours
+}
+
 TEST_CASE("other hours hold from the next look on, and a touch counts as before") {
     PanelHours hours = hours_of("08-18");
     CHECK(is_on(hours, monday + 9h));

@@ -258,6 +258,7 @@ TEST_CASE("changed acts are refused, or can be drawn at any time") {
 TEST_CASE("what boxes tell of themselves is read as it was written, and bounded") {
     const BoxNote note{.leads = true,
                        .has_guides = true,
+                       .is_awake = true,
                        .outputs = {{.name = "HDMI-A-1", .width = 1920, .height = 1080, .turned = 270}},
                        .shown = ActName{.run = 5, .generation = 6},
                        .lacking = {"a.jpg"},
