@@ -635,6 +635,8 @@ CURES = [
          "is_in_change(*this) && change_->began <= now", "is_in_change(*this)", "acts_test.shared_wall_test"),
     Cure("a film that is heard on each box of a wall", "player/playback/sound/wall_sound.cpp",
          "    if (one && one->is_elsewhere) one = nullptr;\n", "", "sound_test.wall_sound_test"),
+    Cure("a tapestry on a canvas whose parts a box does not know", "player/scene/acts/followed_lifted.cpp",
+         "return knows(tapestry_->room.canvas) ? &*tapestry_ : nullptr;", "return &*tapestry_;", "acts_test.shared_wall_test"),
     Cure("a touch at night that lights one box of a wall", "player/player.cpp",
          "    display_->hours().set_others_awake(wall_.others()->are_awake);\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
     Cure("hours of the displays that hold after a restart alone", "player/player.cpp",

@@ -11,9 +11,14 @@ constexpr auto tapestry_patience = std::chrono::seconds(10);  // the same
 
 }  // namespace
 
+void FollowedLifted::set_canvas(Vec2 canvas) {
+    if (canvas != canvas_) canvas_before_ = std::exchange(canvas_, canvas);
+}
+
 void FollowedLifted::take(LiftedMoment seen, std::optional<TapestryMoment> tapestry,
                           std::chrono::nanoseconds now) {
     seen_ = std::move(seen);
+    if (tapestry && tapestry_ && !knows(tapestry->room.canvas)) tapestry->room = tapestry_->room;
     tapestry_ = std::move(tapestry);
     seen_at_ = now;
 }
@@ -27,7 +32,8 @@ void FollowedLifted::draw(Frame& frame, std::span<const PlacedShot> wall, bool i
 }
 
 const TapestryMoment* FollowedLifted::tapestry(std::chrono::nanoseconds now) const {
-    return tapestry_ && now - seen_at_ < tapestry_patience ? &*tapestry_ : nullptr;
+    if (!tapestry_ || now - seen_at_ >= tapestry_patience) return nullptr;
+    return knows(tapestry_->room.canvas) ? &*tapestry_ : nullptr;
 }
 
 std::map<SourceId, PlacedShot> FollowedLifted::whole_pictures() const {

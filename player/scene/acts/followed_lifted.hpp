@@ -15,8 +15,11 @@ namespace vitrine::player {
 /// comes back after ten.
 class FollowedLifted {
   public:
+    /// Sets the canvas of the act that is drawn from now on, whose parts this box knows.
+    void set_canvas(Vec2 canvas);
+
     /// Takes what the leader has drawn last.
-    /// @param tapestry  in this box's time
+    /// @param tapestry  in this box's time. On a canvas whose act has not come yet, it goes on where it is
     /// @param now       of this box
     void take(LiftedMoment seen, std::optional<TapestryMoment> tapestry, std::chrono::nanoseconds now);
 
@@ -32,13 +35,18 @@ class FollowedLifted {
     /// The film of a photo that was tapped, with this box's number of its source. nullptr: none.
     const FilmMoment* film() const { return seen_.film ? &*seen_.film : nullptr; }
 
-    /// The tapestry in place of the wall, in this box's time. nullptr: none. @param now  of this box
+    /// The tapestry in place of the wall, in this box's time. nullptr: none on a canvas that this box knows.
+    /// @param now  of this box
     const TapestryMoment* tapestry(std::chrono::nanoseconds now) const;
 
     /// The shots whose whole picture is seen, or will be, in the size of that.
     std::map<SourceId, PlacedShot> whole_pictures() const;
 
   private:
+    bool knows(Vec2 canvas) const { return canvas == canvas_ || canvas == canvas_before_; }
+
+    Vec2 canvas_;         // of the act that is drawn
+    Vec2 canvas_before_;  // of acts before
     LiftedMoment seen_;
     std::optional<TapestryMoment> tapestry_;
     std::chrono::nanoseconds seen_at_{0};  // when the last news came

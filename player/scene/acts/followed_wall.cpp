@@ -111,6 +111,7 @@ void FollowedWall::take_waiting() {
     names_.place_anew();
     shown_ = std::exchange(waiting_, std::nullopt);
     bezels_ = bezels_of(*shown_);
+    lifted_.set_canvas(shown_->canvas);
 }
 
 /// The frame of the shown act, which may fade in over what was shown before.

@@ -436,6 +436,26 @@ TEST_CASE("a tapestry in place of the wall is told to all boxes, and the wall co
     CHECK(house.followed(1).tapestry() == nullptr);
 }
 
+TEST_CASE("a tapestry on a canvas to come is shown where it was, or not before the wall is on that canvas") {
+    SharedHouse house = resting_house();
+    const auto tell = [&](Vec2 canvas) {
+        house.led().tell_tapestry(
+            TapestryMoment{.path = "a", .folder = "f", .room = canvas, .view = {.centre = 7s}});
+        house.run(300ms);
+        return house.followed(1).tapestry();
+    };
+    const Canvas wider = canvas_of({1280, 1480}, {{{0, 0}, {1280, 720}}, {{0, 760}, {1280, 1480}}});
+    CHECK(tell(wider) == nullptr);
+    REQUIRE(tell({1280, 720}) != nullptr);
+    REQUIRE(tell(wider) != nullptr);
+    CHECK(tell(wider)->room == TapestryRoom(1280, 720));
+    house.led().set_canvas(wider);
+    house.run(5s);
+    REQUIRE(house.followed(1).shown()->canvas == Vec2(wider));
+    REQUIRE(house.followed(1).tapestry() != nullptr);
+    CHECK(house.followed(1).tapestry()->room == TapestryRoom(1280, 1480));
+}
+
 TEST_CASE("until a wall is laid out for a canvas that has grown, all boxes keep their parts of the old one") {
     SharedHouse house({.seed = 12, .followers = 1});
     house.run(3s);
