@@ -247,7 +247,7 @@ Daemon::Daemon(EventLoop& loop, const WatchOptions& options)
     wake_.arm(0s);
 }
 
-void Daemon::set_words(SetWords words) {
+void Daemon::change_words(WordSettings words) {
     options_.words = std::move(words);
     attempt([this] { follow_hints(); });
 }

@@ -24,12 +24,12 @@
 
 namespace vitrine::analyzer {
 
-/// The words that the daemon has set as pictures for the player, besides the names of folders.
-struct SetWords {
+/// The words that the player needs as pictures, besides the names of folders.
+struct WordSettings {
     CaptionChoice captions = CaptionChoice::none;
     std::string wall_code;      // the text of the wall's QR code; empty: none
     std::string share_address;  // on the idle picture; empty: none
-    bool tells_years = false;   // captions are set with the year, too
+    bool tells_years = false;   // captions also with the year
 };
 
 /// All that the daemon needs to know.
@@ -40,7 +40,7 @@ struct WatchOptions {
     std::filesystem::path state;               // hints.json, status.json, thumbnails/, words/ and wall.jpg
     std::vector<std::string> thumbnail_child;  // makes a thumbnail; the file is appended. Empty: none is made
     std::vector<std::string> words_child;      // sets words; they are appended. Empty: none are set
-    SetWords words;
+    WordSettings words;
     std::string status_folder;  // in the media folder, for its operators; empty: none
     StoreBounds bounds{.max_bytes = 0, .min_free_bytes = usual_free_bytes};
     AnalysisCommand analysis;
@@ -65,8 +65,8 @@ class Daemon {
     Daemon& operator=(const Daemon&) = delete;
     ~Daemon() = default;
 
-    /// Has other words set than before, and removes those that are not wanted any more.
-    void set_words(SetWords words);
+    /// Has the pictures of other words made, and removes those of words that are not wanted any more.
+    void change_words(WordSettings words);
 
     /// True where the media folder was there at the last look.
     bool is_online() const { return follower_.is_online(); }

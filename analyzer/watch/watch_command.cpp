@@ -69,7 +69,7 @@ Pace pace(const Settings::Analyzer& settings, bool is_once) {
     return pace;
 }
 
-SetWords set_words(const Settings& settings) {
+WordSettings word_settings(const Settings& settings) {
     return {.captions = settings.show.captions,
             .wall_code = settings.show.qr,
             .share_address = share_address(settings),
@@ -92,7 +92,7 @@ WatchOptions watch_options(const Settings& settings, const std::string& snapshot
     options.outputs = analysis_outputs(settings);
     options.status_folder = settings.status.folder;
     if (options.outputs.thumbnail) options.thumbnail_child = {"/proc/self/exe", config, "thumbnail"};
-    options.words = set_words(settings);
+    options.words = word_settings(settings);
     options.words_child = {"/proc/self/exe", config, "set-words", "--"};
     options.tapestries.max_bytes = static_cast<std::uint64_t>(settings.tapestry.max_bytes);
     options.weave = {"/proc/self/exe",
@@ -117,7 +117,7 @@ void read_again(const ReadSettings& read_settings, SettingsSnapshot& snapshot, D
         const Settings settings = read_settings();
         log::set_level(settings.log.level);
         snapshot.replace(settings);
-        daemon.set_words(set_words(settings));
+        daemon.change_words(word_settings(settings));
         log::info("settings read again: new analyses and words follow them; folders, store and pace after a "
                   "restart");
     } catch (const SettingsError& error) {

@@ -823,7 +823,7 @@ TEST_CASE("captions that photos have themselves are set as pictures, where no te
                         "2Lake;\x02"
                         "3Lake;";
     }));
-    house.daemon->set_words({.share_address = "host"});
+    house.daemon->change_words({.share_address = "host"});
     CHECK(house.comes_true([&] { return set().ends_with("3Lake;host;"); }));
 }
 
