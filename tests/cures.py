@@ -573,6 +573,8 @@ CURES = [
          "scene_test.touched_places_test"),
     Cure("a tapestry's film with a bezel through its middle", "player/scene/tapestry/tapestry_view.cpp",
          "return {canvas, output_at(canvas, at)};", "return (void)at, Vec2(canvas);", "scene_test.tapestry_show_test"),
+    Cure("a tap below a tapestry's screen that plays its strip", "player/scene/tapestry/strip_finger.cpp",
+         " && gesture.from.y <= strip.boxes.room.screen.max.y", "", "scene_test.tapestry_show_test"),
     Cure("moments between shots that cannot be played", "player/scene/tapestry/film_spans.cpp",
          "found == shots.end() || found->begin > time ? nullptr : &*found;", "found == shots.end() ? nullptr : &*found;",
          "scene_test.tapestry_preview_test"),
@@ -644,7 +646,7 @@ CURES = [
     Cure("the idle picture in place of the wall while settings are read again", "player/stage/stages.cpp",
          "waits_for_wall || now < picture_kept_until_", "waits_for_wall", "stage_test.stages_test"),
     Cure("words of the wall that come after a restart of the analyzer alone", "analyzer/watch/watch_command.cpp",
-         "        daemon.set_words(set_words(settings));\n", "        (void)daemon;\n", "pipeline.watch", targets=("vitrine-analyzer",), only="release"),
+         "        daemon.change_words(word_settings(settings));\n", "        (void)daemon;\n", "pipeline.watch", targets=("vitrine-analyzer",), only="release"),
     Cure("boxes that keep the old wall after the leader has read its settings again", "player/player.cpp",
          "    wall_.begin_anew();\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
 ]

@@ -136,13 +136,14 @@ void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chr
     touch(stages.first(), now);
 }
 
-/// Takes the outputs of the boxes that are there, the leader's guides, and if one was touched.
+/// Takes the outputs of the boxes that are there, the leader's guides, and if one was touched. Without the
+/// network nobody tells when that ends.
 void WallLink::follow_others() {
     *others_ = {};
     for (const auto& [box, note] : talk_->others()) {
         if (note.is_gone) continue;
         others_->has_guides |= note.leads && note.has_guides;
-        others_->are_awake |= note.is_awake;
+        others_->are_awake |= note.is_awake && is_linked_;
         for (const BoxOutput& output : note.outputs)
             others_->outputs.push_back({.name = box + "/" + output.name,
                                         .width = output.width,

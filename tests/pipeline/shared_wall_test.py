@@ -257,8 +257,8 @@ class Wall(unittest.TestCase):
                                    "--show.motion_milliseconds", 200, *self.off_now(), films=False)
         heard = self.listen()
         script = self.folder / "touch"
-        script.write_text("14 tap 160 90\n")
-        follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--rehearse", script, "--duration", "16s")
+        script.write_text("20 tap 160 90\n")  # the wall rests from then on
+        follower = self.start_player(self.right, "lit", "--media.root", self.folder / "none", "--rehearse", script, "--duration", "24s")
         until("the wall of the others is saved", lambda: self.ctl(self.left, "layout", "save", "a").returncode == 0)
         self.assertEqual(follower.wait(PATIENCE), 0, (self.right.root / "lit.log").read_text())
         leader.send_signal(signal.SIGTERM)

@@ -25,7 +25,7 @@ struct BoxNote {
     bool leads = false;
     bool is_gone = false;     // vitrine-link says so: the box has not said goodbye
     bool has_guides = false;  // it draws guides for placing screens; if it leads, all boxes do
-    bool is_awake = false;    // it was touched a while ago, and its panels are lit; so are those of all boxes
+    bool is_awake = false;    // a touch lights its panels for a while, and those of all boxes
     std::vector<BoxOutput> outputs = {};
     std::optional<ActName> shown = {};        // the act that it draws; none: none yet
     std::vector<std::string> lacking = {};    // paths of shots that it has not got; at most 100

@@ -18,8 +18,9 @@ bool contains(const Box& box, Vec2 point) {
     return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
 }
 
+/// True for the strip and what is below it on its screen.
 bool is_on_strip(const Gesture& gesture, const TouchedStrip& strip) {
-    return gesture.from.y >= strip.boxes.strip.min.y;
+    return gesture.from.y >= strip.boxes.strip.min.y && gesture.from.y <= strip.boxes.room.screen.max.y;
 }
 
 /// The way that the strip comes towards a finger near an edge, canvas px to the right.
@@ -104,7 +105,7 @@ void StripFinger::tap(const Gesture& tap, const TouchedStrip& strip) {
 
 void StripFinger::edit(const Gesture& tap, const TouchedStrip& strip) {
     const TapestryView& view = strip.motion.view();
-    if (tap.at.y > strip.boxes.strip.max.y) {
+    if (is_on_strip(tap, strip) && tap.at.y > strip.boxes.strip.max.y) {
         const KeyframeChoice& choice = strip.edit->choice();
         const auto mark =
             mark_at(tap.at.x, strip.place, view, choice, grip * strip.boxes.room.screen.height());

@@ -847,3 +847,15 @@ TEST_CASE("a tapestry on a canvas with bezels is that of one screen: its film cr
     const Canvas touching = canvas_of({1280, 360}, {{{0, 0}, {640, 360}}, {{640, 0}, {1280, 360}}});
     CHECK(tapestry_room(touching, {9, 9}).screen == Box{{0, 0}, {1280, 360}});
 }
+
+TEST_CASE("a tap on a screen below that of the tapestry is not on its strip") {
+    const Canvas canvas = canvas_of({640, 780}, {{{0, 0}, {640, 360}}, {{0, 420}, {640, 780}}});
+    for (const auto& [y, closes] : {std::pair{280, false}, std::pair{358, false}, std::pair{700, true}}) {
+        TapestryShow strip(drawn_tapestry(), drawn_film(), tapestry_room(canvas, {9, 9}),
+                           {.first_source = 1000});
+        strip.step(0s);
+        const Vec2 at{320, static_cast<double>(y)};
+        strip.handle_gesture({.kind = Kind::tap, .at = at, .from = at});
+        CHECK(strip.is_over() == closes);
+    }
+}
