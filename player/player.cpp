@@ -207,7 +207,7 @@ void Player::tick() {
     if (options_.duration && time >= *options_.duration) return loop_.quit();
     display_->hours().set_others_awake(wall_.others()->are_awake);
     display_->follow_display(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt, time);
-    wall_.set_awake(display_->hours().is_awake());
+    wall_.set_awake(display_->hours().is_awake(time));
     renew_stages(time);
     stages_->set_screens(display_->screens(), time);
     service_->look(time);

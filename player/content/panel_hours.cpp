@@ -19,8 +19,7 @@ void PanelHours::look(std::optional<std::chrono::local_seconds> local, std::chro
     constexpr double change_a_second = 0.05;  // of the light
     const bool is_open =
         rules_.on.empty() || !local || find_window(rules_.on, *local, rules_.holidays) != nullptr;
-    is_awake_ = now < awake_until_;
-    is_on_ = is_open || is_awake_ || are_others_awake_;
+    is_on_ = is_open || is_awake(now) || are_others_awake_;
     const DayWindow* dim = local ? find_window(rules_.dim, *local, rules_.holidays) : nullptr;
     const double wanted = dim == nullptr ? 1 : dim->share;
     const double seconds = std::chrono::duration<double>(now - looked_.value_or(now)).count();

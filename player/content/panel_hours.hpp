@@ -44,7 +44,7 @@ class PanelHours {
     bool is_on() const { return is_on_; }
 
     /// True for a while after a touch, whatever the hours are.
-    bool is_awake() const { return is_awake_; }
+    bool is_awake(std::chrono::nanoseconds now) const { return now < awake_until_; }
 
     /// Lights the panels for as long as a touch has lit those of another box of the wall.
     void set_others_awake(bool are_awake) { are_others_awake_ = are_awake; }
@@ -59,7 +59,6 @@ class PanelHours {
     PanelRules rules_;
     bool is_on_ = true;
     bool is_told_on_ = true;
-    bool is_awake_ = false;
     bool are_others_awake_ = false;
     double light_ = 1;
     std::optional<std::chrono::nanoseconds> looked_;

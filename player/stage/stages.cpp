@@ -19,8 +19,7 @@ namespace vitrine::player {
 namespace {
 
 constexpr auto guide_time = std::chrono::minutes(10);
-constexpr auto renewal_patience =
-    std::chrono::seconds(8);  // then a new wall with gaps replaces the last picture
+constexpr auto renewal_patience = std::chrono::seconds(8);  // with a new wall that is not complete
 
 }  // namespace
 

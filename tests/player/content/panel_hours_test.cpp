@@ -58,18 +58,18 @@ TEST_CASE("a touch on another box lights the panels as long as it lights that bo
     PanelHours hours = hours_of("08-18");
     hours.set_others_awake(true);
     CHECK(is_on(hours, monday, 0s));
-    CHECK_FALSE(hours.is_awake());
+    CHECK_FALSE(hours.is_awake(0s));
     hours.set_others_awake(false);
     CHECK_FALSE(is_on(hours, monday, 1s));
     hours.wake(2s);
     CHECK(is_on(hours, monday, 3s));
-    CHECK(hours.is_awake());
+    CHECK(hours.is_awake(3s));
     CHECK_FALSE(is_on(hours, monday, 2s + 10min));
-    CHECK_FALSE(hours.is_awake());
+    CHECK_FALSE(hours.is_awake(2s + 10min));
     PanelHours always = hours_of("");
     always.wake(0s);
     CHECK(is_on(always, monday, 1s));
-    CHECK(always.is_awake());  // the other boxes may have hours
+    CHECK(always.is_awake(1s));  // the other boxes may have hours
 }
 
 TEST_CASE("other hours hold from the next look on, and a touch counts as before") {

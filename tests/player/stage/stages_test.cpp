@@ -11,7 +11,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -24,6 +26,21 @@ Settings lobby_on_the_second() {
     settings.output.folders = "offscreen-2=lobby";
     return settings;
 }
+
+/// One screen, and what stages show on it.
+class OneScreen {
+  public:
+    std::vector<std::byte> seen(Stages& stages, std::chrono::nanoseconds now) {
+        const auto screens = display_.screens();
+        stages.set_screens(screens, now);
+        stages.show(now, &renderer_, false);
+        return dynamic_cast<OffscreenScreen&>(*screens[0]).picture().pixels;
+    }
+
+  private:
+    OffscreenDisplay display_{{.screens = {{160, 120}}}, {}, 30};
+    Renderer renderer_{1, 1};
+};
 
 }  // namespace
 
@@ -65,17 +82,11 @@ TEST_CASE("the first stage that is seen has a screen, if each output has a folde
 TEST_CASE("the guides of the box that leads are drawn here, too") {
     Settings settings;
     settings.wall = {.role = WallRole::follow, .box = "here"};
-    OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
-    Renderer renderer(1, 1);
+    OneScreen screen;
     SourcePool sources{{.media = "/nowhere", .store = {}}};
     const auto others = std::make_shared<OtherOutputs>();
     Stages stages(settings, sources, false, others);
-    const auto screens = display.screens();
-    const auto seen = [&](std::chrono::nanoseconds now) {
-        stages.set_screens(screens, now);
-        stages.show(now, &renderer, false);
-        return dynamic_cast<OffscreenScreen&>(*screens[0]).picture().pixels;
-    };
+    const auto seen = [&](std::chrono::nanoseconds now) { return screen.seen(stages, now); };
     const auto plain = seen(0s);
     others->has_guides = true;
     CHECK(seen(0s) != plain);
@@ -99,16 +110,10 @@ TEST_CASE("stages that are made anew have no files yet") {
 
 TEST_CASE("screens keep their picture until new stages have a complete wall, for eight seconds at most") {
     const Settings settings;
-    OffscreenDisplay display({.screens = {{160, 120}}}, {}, 30);
-    Renderer renderer(1, 1);
+    OneScreen screen;
     SourcePool sources{{.media = "/nowhere", .store = {}}};
     Stages stages(settings, sources, false);
-    const auto screens = display.screens();
-    const auto seen = [&](std::chrono::nanoseconds now) {
-        stages.set_screens(screens, now);
-        stages.show(now, &renderer, false);
-        return dynamic_cast<OffscreenScreen&>(*screens[0]).picture().pixels;
-    };
+    const auto seen = [&](std::chrono::nanoseconds now) { return screen.seen(stages, now); };
     const auto first = seen(0s);
     const auto last = seen(10s);
     CHECK(first != last);  // the idle picture moves
