@@ -62,12 +62,21 @@ double share(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
+/// The share of the screen that no picture reaches.
+double background_of(const WallState& wall) {
+    std::vector<NamedItem> named;
+    for (const LayoutItem& item : wall.items)
+        named.push_back({"", named.size(), item});
+    return 1 - plan_result(named, layout_of(wall)).canvas_filled;
+}
+
 /// Sums over the instances of one edit.
 struct Row {
     double ms = 0, max_ms = 0;
     double median = 0, worst = 0;  // moves of the others
     double before = 0, after = 0;
-    int crossfades = 0;  // changes without a way for the items to move
+    double background = 0, most_background = 0;  // shares of the screen that no picture reaches afterwards
+    int crossfades = 0;                          // changes without a way for the items to move
     int unsound = 0;
     int count = 0;
 };
@@ -99,6 +108,9 @@ void add(Row& row, const WallState& before, const WallState& after, double ms,
     row.worst += moves.back();
     row.before += share(before);
     row.after += share(after);
+    const double background = background_of(after);
+    row.background += background;
+    row.most_background = std::max(row.most_background, background);
     if (before.canvas == after.canvas && !motion_between(items, from, to, canvas)) ++row.crossfades;
     const Measure measure = measured(after.items, after.placements);
     if (measure.hidden != 0) ++row.unsound;
@@ -205,17 +217,20 @@ void measure_edits(Rows& rows, const Supply& supply, std::size_t count, std::uin
 }
 
 void edits_table(const Supply& supply, int instances) {
-    fmt::print("| n | edit | CPU ms | most | median move % | worst move % | share before | after | no way | "
-               "overlaps |\n|--|--|--|--|--|--|--|--|--|--|\n");
+    fmt::print("| n | edit | CPU ms | most | median move % | worst move % | share before | after | "
+               "background % mean | most | no way | overlaps |\n|--|--|--|--|--|--|--|--|--|--|--|--|\n");
     for (const std::size_t count : counts) {
         Rows rows;
         for (int k = 0; k < instances; ++k)
             measure_edits(rows, supply, count, static_cast<std::uint64_t>(k) + 1);
         for (const auto& [name, row] : rows) {
             const auto mean = [&, n = row.count](double sum) { return sum / n; };
-            fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {} of {} | {} |\n",
+            fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | "
+                       "{} of {} | {} "
+                       "|\n",
                        count, name, mean(row.ms), row.max_ms, 100 * mean(row.median), 100 * mean(row.worst),
-                       mean(row.before), mean(row.after), row.crossfades, row.count, row.unsound);
+                       mean(row.before), mean(row.after), 100 * mean(row.background),
+                       100 * row.most_background, row.crossfades, row.count, row.unsound);
         }
         std::fflush(stdout);
     }
