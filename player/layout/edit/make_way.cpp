@@ -230,8 +230,8 @@ class Settling {
     static constexpr double loosely_near = 0.15;  // share of the diagonal
     static constexpr double loosely_local = 0.4;  // share of the diagonal
     static constexpr double hole = 0.6;           // cost of a fifth of the canvas without a picture
-    static constexpr double band = 0.15;          // the same of a twentieth
-    static constexpr std::size_t few = 5;         // items: pictures so large leave broad bands
+    static constexpr double band = 0.08;          // the same of a fortieth
+    static constexpr std::size_t few = 8;         // items: pictures so large leave broad bands
     static constexpr double near_of_few = 0.3;    // share of the diagonal
     static constexpr double anywhere = 1;         // share of the diagonal
 
@@ -301,7 +301,12 @@ class Settling {
             !keeps_let_go(wall_, *last_, made_, wishes_, let_go))
             return;
         const double cost = cost_of_plan(costs_, *last_);
-        if (cost < best.cost) best = {*last_, cost};
+        if (cost < best.cost && has_way()) best = {*last_, cost};
+    }
+
+    /// True if all items have a way from where the wishes got room to the last layout.
+    bool has_way() const {
+        return motion_between(wall_.items, made_.placements, last_->placements, wall_.canvas).has_value();
     }
 
     bool is_few() const { return wall_.items.size() <= few; }

@@ -22,7 +22,7 @@ struct Wish {
 ///
 /// An item that was let go, and all others, keep the places that they get: their homes. If a fifth of the
 /// canvas would be left without a picture, others move farther then: up to two fifths of the diagonal. On a
-/// wall of up to five items they do so for a twentieth, and to any place.
+/// wall of up to eight items they do so for a fortieth, and to any place to which all have a way.
 /// @param wishes  at most one for each item; the first ones go before
 WallState made_way(const WallState& wall, std::span<const Wish> wishes, const EditRules& rules);
 

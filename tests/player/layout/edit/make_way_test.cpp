@@ -62,9 +62,9 @@ std::vector<double> open_after_drops(const Drops& drops) {
 
 TEST_CASE("after a drop on a small wall pictures cover the canvas, also after many drops") {
     const std::vector<double> open = open_after_drops({.items = 8, .walls = 3});
-    CHECK(open[open.size() / 2] <= 0.02);
-    CHECK(open[open.size() * 9 / 10] <= 0.09);
-    CHECK(open.back() <= 0.2);
+    CHECK(open[open.size() / 2] <= 0.01);
+    CHECK(open[open.size() * 9 / 10] <= 0.04);
+    CHECK(open.back() <= 0.06);
 }
 
 TEST_CASE("after a drop on a wall of few no dark part stays") {
