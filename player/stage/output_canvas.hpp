@@ -72,8 +72,11 @@ struct ComingView {
 /// @param outputs  those that are named; others have no part
 SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs);
 
-/// A pair of outputs whose parts overlap, in words; empty: there is none.
-std::string overlap_of(const SharedCanvas& shared);
+/// What is wrong with output.canvas, in words: two parts overlap, or a name is that of no output while an
+/// output has no place. Empty: nothing is wrong, or this box follows another, which decides.
+/// @param screens  all of this box
+std::string canvas_fault(const Settings& settings, std::span<Screen* const> screens,
+                         const OtherOutputs& others);
 
 /// The canvas that outputs show together (`output.canvas`), as they come and go. An output that is pulled out
 /// keeps its place for a minute: the others show what they showed. Logs.
@@ -126,6 +129,7 @@ class OutputCanvas {
     void read_words();
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
+    void log_fault(const std::string& fault);
     const SharedCanvas& shared_of(Vec2 canvas) const;
     const OutputPart* part_of(const Screen& screen, Vec2 canvas) const;
     std::map<std::string, ActPart> act_parts(const SharedCanvas& shared) const;
@@ -137,6 +141,7 @@ class OutputCanvas {
     std::vector<Seen> seen_;
     SharedCanvas now_;
     SharedCanvas before_;
+    std::string fault_;  // the last that was logged
 };
 
 }  // namespace vitrine::player
