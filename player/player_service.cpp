@@ -12,7 +12,6 @@
 #include "player/frame_clock.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/scene/show.hpp"
-#include "player/stage/output_canvas.hpp"
 #include "player/stage/show_modes.hpp"
 #include "player/stage/stages.hpp"
 #include "player/wall_link/wall_link.hpp"
@@ -139,6 +138,7 @@ void PlayerService::report_status() {
     report_.arm(report_interval);
     const std::span<Screen* const> screens = view_.display.screens();
     rate_.report(screens.empty() ? 0 : screens.front()->flips(), now_);
+    faults_.look(view_.settings, screens, *view_.wall.others());
     service::status(one_line(report()));
     metrics_.write_if_due(view_.settings.metrics.file, now_, [this] {
         std::vector<std::pair<std::string, std::size_t>> states;
@@ -149,20 +149,20 @@ void PlayerService::report_status() {
 }
 
 PlayerReport PlayerService::report() const {
-    PlayerReport report{
-        .state = health_.state(),
-        .display = view_.display.description(),
-        .canvas_fault = canvas_fault(view_.settings, view_.display.screens(), *view_.wall.others()),
-        .files = view_.files.count_ready(),
-        .queue = view_.sources.queue(),
-        .pictures = view_.clock.pictures(),
-        .late = view_.clock.late(),
-        .film_late = view_.sources.late(),
-        .rate = rate_.rate(),
-        .since_flip = std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
-        .is_paused = controls_.is_paused,
-        .pinned = {controls_.files.begin(), controls_.files.end()},
-        .dismissed = view_.files.dismissed()};
+    PlayerReport report{.state = health_.state(),
+                        .display = view_.display.description(),
+                        .faults = faults_.all(),
+                        .files = view_.files.count_ready(),
+                        .queue = view_.sources.queue(),
+                        .pictures = view_.clock.pictures(),
+                        .late = view_.clock.late(),
+                        .film_late = view_.sources.late(),
+                        .rate = rate_.rate(),
+                        .since_flip =
+                            std::chrono::duration_cast<std::chrono::milliseconds>(health_.since_flip(now_)),
+                        .is_paused = controls_.is_paused,
+                        .pinned = {controls_.files.begin(), controls_.files.end()},
+                        .dismissed = view_.files.dismissed()};
     for (const Screen* screen : view_.display.screens())
         report.screens.push_back({.name = screen->name(),
                                   .width = screen->width(),

@@ -12,6 +12,7 @@
 #include "player/control/rate_limit.hpp"
 #include "player/played_files.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/stage/output_faults.hpp"
 #include "player/stage/stages.hpp"
 
 #include <chrono>
@@ -103,7 +104,8 @@ class PlayerService {
     MetricsFile metrics_;
     AnalyzerWordReader analyzer_;
     RateLimit screenshots_{std::chrono::seconds(1)};
-    std::chrono::nanoseconds now_{0};    // the time of the last look()
+    std::chrono::nanoseconds now_{0};  // the time of the last look()
+    OutputFaults faults_;
     FlipRate rate_;                      // of the first screen, between the last two reports
     std::optional<PlayedFiles> played_;  // none: nobody wants to know
     EventLoop::Source report_;

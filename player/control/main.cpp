@@ -119,7 +119,8 @@ void print_status(const Json& status) {
                       status.value("paused", false) ? ", paused" : ""));
     print("display   " + status.value("display", ""));
     print_outputs(status.at("outputs"));
-    if (status.contains("canvas_fault")) print("canvas    " + status.value("canvas_fault", ""));
+    for (const Json& fault : status.at("faults"))
+        print("fault     " + fault.get<std::string>());
     print(fmt::format("pictures  {} shown, {} left out as too late, {:.1f} a second, the last {:.1f} s ago",
                       status.value("pictures", 0), status.value("late", 0),
                       status.value("pictures_per_second", 0.0), status.value("seconds_since_flip", 0.0)));

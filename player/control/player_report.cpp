@@ -160,7 +160,7 @@ std::string to_json(const PlayerReport& report, const std::string& analyzer,
                            {"stored", source.is_stored},
                            {"late", source.late}});
     if (wall) json["wall"] = wall_json(*wall);
-    if (!report.canvas_fault.empty()) json["canvas_fault"] = report.canvas_fault;
+    json["faults"] = report.faults;
     json["outputs"] = std::move(outputs);
     json["cells"] = std::move(cells);
     json["sources"] = std::move(sources);

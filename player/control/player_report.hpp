@@ -62,7 +62,7 @@ struct PlayerReport {
     ShowState state = ShowState::no_panel;
     std::string display;  // card, modes and renderer in words, or the reason why there is no display
     std::vector<ScreenReport> screens;
-    std::string canvas_fault;  // what is wrong with output.canvas, in words; empty: nothing
+    std::vector<std::string> faults;  // what the settings say of outputs and cannot be; a sentence each
     std::vector<CellReport> cells;
     std::vector<SourceReport> sources;
     std::size_t files = 0;                    // number of ready files

@@ -64,50 +64,6 @@ Vec2 near_whole(Vec2 px) {
     return {near_whole(px.x), near_whole(px.y)};
 }
 
-KnownOutput known_output(const Settings& settings, const Screen& screen) {
-    return {.name = screen.name(),
-            .width = screen.width(),
-            .height = screen.height(),
-            .view = view_of(settings, screen.width(), screen.height())};
-}
-
-/// The words of output.canvas, in which the outputs of this box are named as the box names them.
-CanvasWords own_canvas_words(const Settings& settings) {
-    CanvasWords words = canvas_named(settings.output.canvas);
-    const std::string own = own_prefix(settings);
-    if (!own.empty())
-        for (OutputPlace& place : words.places)
-            if (place.output.starts_with(own)) place.output.erase(0, own.size());
-    return words;
-}
-
-/// A pair of outputs whose parts overlap, in words; empty: there is none.
-std::string overlap_of(const SharedCanvas& shared) {
-    for (auto one = shared.parts.begin(); one != shared.parts.end(); ++one)
-        for (auto other = std::next(one); other != shared.parts.end(); ++other) {
-            const Box both = intersection(one->second.box, other->second.box);
-            if (std::min(both.width(), both.height()) >= 1)
-                return fmt::format("'{}' and '{}' overlap, with the modes that they have", one->first,
-                                   other->first);
-        }
-    return {};
-}
-
-/// @param shared  the canvas for these outputs
-std::string canvas_fault(const CanvasWords& words, std::span<const KnownOutput> outputs,
-                         const SharedCanvas& shared) {
-    if (std::string overlap = overlap_of(shared); !overlap.empty()) return overlap;
-    const auto missing = std::ranges::find_if(words.places, [&](const OutputPlace& place) {
-        return std::ranges::find(outputs, place.output, &KnownOutput::name) == outputs.end();
-    });
-    const auto unnamed = std::ranges::find_if(outputs, [&](const KnownOutput& output) {
-        return std::ranges::find(words.places, output.name, &OutputPlace::output) == words.places.end();
-    });
-    if (missing == words.places.end() || unnamed == outputs.end()) return {};
-    return fmt::format("'{}' is not there, and '{}', which has no place, shows the whole wall",
-                       missing->output, unnamed->name);
-}
-
 /// Adds the outputs that are new on a canvas to the one before, where they hang.
 void add_new_outputs(SharedCanvas& before, const SharedCanvas& now) {
     if (before.parts.empty()) return;
@@ -144,14 +100,20 @@ SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput
     return shared;
 }
 
-std::string canvas_fault(const Settings& settings, std::span<Screen* const> screens,
-                         const OtherOutputs& others) {
-    if (settings.wall.role == WallRole::follow) return {};
-    std::vector<KnownOutput> outputs = others.outputs;
-    for (const Screen* screen : screens)
-        outputs.push_back(known_output(settings, *screen));
-    const CanvasWords words = own_canvas_words(settings);
-    return canvas_fault(words, outputs, shared_canvas(words, outputs));
+CanvasWords own_canvas_words(const Settings& settings) {
+    CanvasWords words = canvas_named(settings.output.canvas);
+    const std::string own = own_prefix(settings);
+    if (!own.empty())
+        for (OutputPlace& place : words.places)
+            if (place.output.starts_with(own)) place.output.erase(0, own.size());
+    return words;
+}
+
+KnownOutput known_output(const Settings& settings, const Screen& screen) {
+    return {.name = screen.name(),
+            .width = screen.width(),
+            .height = screen.height(),
+            .view = view_of(settings, screen.width(), screen.height())};
 }
 
 void OutputCanvas::read_words() {
@@ -167,11 +129,6 @@ void OutputCanvas::take(SharedCanvas shared) {
     add_new_outputs(before_, now_);
     log::info("one canvas of {:.0f}x{:.0f} px on {} {}", now_.canvas.x, now_.canvas.y, now_.parts.size(),
               now_.parts.size() == 1 ? "output" : "outputs");
-}
-
-void OutputCanvas::log_fault(const std::string& fault) {
-    if (fault != fault_ && !fault.empty()) log::warning("output.canvas: {}", fault);
-    fault_ = fault;
 }
 
 void OutputCanvas::see(const KnownOutput& output, std::chrono::nanoseconds now) {
@@ -225,9 +182,7 @@ void OutputCanvas::follow(std::span<Screen* const> screens, std::chrono::nanosec
     std::vector<KnownOutput> outputs;
     for (const Seen& seen : seen_)
         outputs.push_back(seen.output);
-    SharedCanvas shared = shared_canvas(words_, outputs);
-    log_fault(canvas_fault(words_, outputs, shared));
-    take(std::move(shared));
+    take(shared_canvas(words_, outputs));
 }
 
 void OutputCanvas::expect(int width, int height) {

@@ -72,11 +72,10 @@ struct ComingView {
 /// @param outputs  those that are named; others have no part
 SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs);
 
-/// What is wrong with output.canvas, in words: two parts overlap, or a name is that of no output while an
-/// output has no place. Empty: nothing is wrong, or this box follows another, which decides.
-/// @param screens  all of this box
-std::string canvas_fault(const Settings& settings, std::span<Screen* const> screens,
-                         const OtherOutputs& others);
+/// The words of output.canvas, in which the outputs of this box are named as the box names them.
+CanvasWords own_canvas_words(const Settings& settings);
+
+KnownOutput known_output(const Settings& settings, const Screen& screen);
 
 /// The canvas that outputs show together (`output.canvas`), as they come and go. An output that is pulled out
 /// keeps its place for a minute: the others show what they showed. Logs.
@@ -129,7 +128,6 @@ class OutputCanvas {
     void read_words();
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
-    void log_fault(const std::string& fault);
     const SharedCanvas& shared_of(Vec2 canvas) const;
     const OutputPart* part_of(const Screen& screen, Vec2 canvas) const;
     std::map<std::string, ActPart> act_parts(const SharedCanvas& shared) const;
@@ -141,7 +139,6 @@ class OutputCanvas {
     std::vector<Seen> seen_;
     SharedCanvas now_;
     SharedCanvas before_;
-    std::string fault_;  // the last that was logged
 };
 
 }  // namespace vitrine::player

@@ -86,10 +86,10 @@ TEST_CASE("the answer for programs has it all, also with names that are no UTF-8
     CHECK(json.at("analyzer").at("online") == true);
     CHECK(json.at("analyzer").at("states").at("ready") == 2);
     CHECK_FALSE(json.at("analyzer").contains("files"));
-    CHECK_FALSE(json.contains("canvas_fault"));
+    CHECK(json.at("faults").empty());
     PlayerReport faulty;
-    faulty.canvas_fault = "'A' is not there";
-    CHECK(nlohmann::json::parse(to_json(faulty, "")).at("canvas_fault") == "'A' is not there");
+    faulty.faults = {"output.canvas: 'A' is not there"};
+    CHECK(nlohmann::json::parse(to_json(faulty, "")).at("faults") == nlohmann::json(faulty.faults));
 }
 
 TEST_CASE("of a file is told why it is not shown, with the analyzer's word for it") {

@@ -25,10 +25,10 @@ SharedCanvas shared(const std::string& text, const std::vector<KnownOutput>& out
 
 /// Two screens in memory on one canvas.
 struct Pair {
-    /// @param role  not alone: the box is called "here"
+    /// @param role  lead: the box is called "here"
     explicit Pair(const std::string& canvas, WallRole role = WallRole::alone) {
         settings.output.canvas = canvas;
-        if (role != WallRole::alone) settings.wall = {.role = role, .box = "here"};
+        if (role == WallRole::lead) settings.wall = {.role = role, .box = "here"};
     }
 
     void follow(std::span<Screen* const> screens, std::chrono::nanoseconds now) {
@@ -71,33 +71,6 @@ TEST_CASE("a canvas is never longer than the packing is exact") {
     const SharedCanvas found =
         shared("mm: A 0,0 500x250; B 9500,0 500x250", {{"A", 4000, 2000, {}}, {"B", 4000, 2000, {}}});
     CHECK(found.canvas.x == doctest::Approx(16384));
-}
-
-TEST_CASE(
-    "a canvas whose outputs overlap, or that names one that is not there in place of one that is, is told") {
-    const auto fault = [](const std::string& canvas, WallRole role = WallRole::alone) {
-        Pair pair(canvas, role);
-        return canvas_fault(pair.settings, pair.display.screens(), *pair.others);
-    };
-    CHECK(fault("offscreen-1 0,0; offscreen-2 90,0") ==
-          "'offscreen-1' and 'offscreen-2' overlap, with the modes that they have");
-    CHECK(fault("offscreen-1 0,0; offscreen-2 100,0").empty());
-    CHECK(fault("offscreen-1 0,0; OFFSCREEN-2 110,0") ==
-          "'OFFSCREEN-2' is not there, and 'offscreen-2', which has no place, shows the whole wall");
-    CHECK(fault("offscreen-1 0,0").empty());
-    CHECK(fault("offscreen-1 0,0; offscreen-2 110,0; offscreen-3 200,0").empty());
-    CHECK(fault("").empty());
-    CHECK(fault("here/offscreen-1 0,0; offscreen-2 110,0", WallRole::lead).empty());
-    CHECK(fault("offscreen-1 0,0; hall/offscreen-2 110,0", WallRole::lead) ==
-          "'hall/offscreen-2' is not there, and 'offscreen-2', which has no place, shows the whole wall");
-    CHECK(fault("offscreen-1 0,0; OFFSCREEN-2 110,0", WallRole::follow).empty());
-}
-
-TEST_CASE("a display of another box that has no place is told") {
-    Pair pair("offscreen-1 0,0; offscreen-2 110,0; hall/hdmi 200,0", WallRole::lead);
-    pair.others->outputs = {{"hall/HDMI-A-1", 100, 50, {}}};
-    CHECK(canvas_fault(pair.settings, pair.display.screens(), *pair.others) ==
-          "'hall/hdmi' is not there, and 'hall/HDMI-A-1', which has no place, shows the whole wall");
 }
 
 TEST_CASE("an output that no canvas names shows all of it") {

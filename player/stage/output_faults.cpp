@@ -1,0 +1,86 @@
+#include "player/stage/output_faults.hpp"
+
+#include "base/settings/output_words.hpp"
+#include "base/settings/settings.hpp"
+#include "base/system/log.hpp"
+#include "player/display/screen.hpp"
+#include "player/stage/output_canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace vitrine::player {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A pair of outputs whose parts overlap, in words; empty: there is none.
+std::string overlap_of(const SharedCanvas& shared) {
+    for (auto one = shared.parts.begin(); one != shared.parts.end(); ++one)
+        for (auto other = std::next(one); other != shared.parts.end(); ++other) {
+            const Box both = intersection(one->second.box, other->second.box);
+            if (std::min(both.width(), both.height()) >= 1)
+                return fmt::format("'{}' and '{}' overlap, with the modes that they have", one->first,
+                                   other->first);
+        }
+    return {};
+}
+
+/// The first name that the other names lack. Empty: there is none.
+std::string first_beside(const Names& names, const Names& others) {
+    const auto found = std::ranges::find_if(
+        names, [&](const std::string& name) { return std::ranges::find(others, name) == others.end(); });
+    return found == names.end() ? std::string() : *found;
+}
+
+/// @param named    outputs in the settings
+/// @param present  outputs that are there
+/// @param unnamed  what one does that is not named: "which has no place, shows the whole wall"
+std::string misnamed(const Names& named, const Names& present, const std::string& unnamed) {
+    const std::string missing = first_beside(named, present);
+    const std::string other = first_beside(present, named);
+    if (missing.empty() || other.empty()) return {};
+    return fmt::format("'{}' is not there, and '{}', {}", missing, other, unnamed);
+}
+
+std::string canvas_fault(const Settings& settings, std::span<Screen* const> screens,
+                         const OtherOutputs& others) {
+    if (settings.wall.role == WallRole::follow) return {};  // the leader decides
+    std::vector<KnownOutput> outputs = others.outputs;
+    for (const Screen* screen : screens)
+        outputs.push_back(known_output(settings, *screen));
+    const CanvasWords words = own_canvas_words(settings);
+    if (std::string overlap = overlap_of(shared_canvas(words, outputs)); !overlap.empty()) return overlap;
+    Names named, present;
+    std::ranges::transform(words.places, std::back_inserter(named), &OutputPlace::output);
+    std::ranges::transform(outputs, std::back_inserter(present), &KnownOutput::name);
+    return misnamed(named, present, "which has no place, shows the whole wall");
+}
+
+std::string folders_fault(const Settings& settings, std::span<Screen* const> screens) {
+    Names named, present;
+    const auto folders = output_folders_named(settings.output.folders).value();
+    for (const auto& [output, folder] : folders)
+        named.push_back(output);
+    std::ranges::transform(screens, std::back_inserter(present), &Screen::name);
+    return misnamed(named, present, "which has no folder, shows the whole media folder");
+}
+
+}  // namespace
+
+void OutputFaults::look(const Settings& settings, std::span<Screen* const> screens,
+                        const OtherOutputs& others) {
+    if (screens.empty()) return;
+    const Names before = std::exchange(faults_, {});
+    for (const auto& [key, fault] : {std::pair("output.canvas", canvas_fault(settings, screens, others)),
+                                     std::pair("output.folders", folders_fault(settings, screens))})
+        if (!fault.empty()) faults_.push_back(fmt::format("{}: {}", key, fault));
+    for (const std::string& fault : faults_)
+        if (std::ranges::find(before, fault) == before.end()) log::warning("{}", fault);
+}
+
+}  // namespace vitrine::player

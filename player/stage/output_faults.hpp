@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+struct Settings;
+
+}
+
+namespace vitrine::player {
+
+class Screen;
+struct OtherOutputs;
+
+/// Finds what the settings say of outputs and cannot be, as the outputs are: parts of output.canvas that
+/// overlap; a name that is that of no output, while there is an output without a name. Logs each once.
+class OutputFaults {
+  public:
+    /// @param screens  of this box; without any nothing is found
+    /// @param others   outputs of other boxes
+    void look(const Settings& settings, std::span<Screen* const> screens, const OtherOutputs& others);
+
+    /// A sentence for each: "output.folders: 'HDMI-A-3' is not there, and …".
+    const std::vector<std::string>& all() const { return faults_; }
+
+  private:
+    std::vector<std::string> faults_;
+};
+
+}  // namespace vitrine::player

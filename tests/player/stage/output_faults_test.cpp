@@ -1,0 +1,96 @@
+#include "player/stage/output_faults.hpp"
+
+#include "base/settings/settings.hpp"
+#include "player/display/offscreen_display.hpp"
+#include "player/stage/output_canvas.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace vitrine;
+using namespace vitrine::player;
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+/// Two screens in memory, of 100x50 and 80x50 px, and the outputs of another box.
+struct Outputs {
+    Faults faults() {
+        found.look(settings, display.screens(), others);
+        return found.all();
+    }
+
+    Faults faults_of_canvas(const std::string& canvas) {
+        settings.output.canvas = canvas;
+        return faults();
+    }
+
+    Faults faults_of_folders(const std::string& folders) {
+        settings.output.folders = folders;
+        return faults();
+    }
+
+    Settings settings;
+    OffscreenDisplay display{{.screens = {{100, 50}, {80, 50}}}, {}, 30};
+    OtherOutputs others;
+    OutputFaults found;
+};
+
+}  // namespace
+
+TEST_CASE("outputs that overlap on the canvas with their modes are told") {
+    Outputs outputs;
+    CHECK(outputs.faults_of_canvas("offscreen-1 0,0; offscreen-2 90,0") ==
+          Faults{"output.canvas: 'offscreen-1' and 'offscreen-2' overlap, with the modes that they have"});
+    CHECK(outputs.faults_of_canvas("offscreen-1 0,0; offscreen-2 100,0").empty());
+    CHECK(outputs.faults_of_canvas("").empty());
+}
+
+TEST_CASE("a canvas that names an output that is not there in place of one that is, is told") {
+    Outputs outputs;
+    CHECK(
+        outputs.faults_of_canvas("offscreen-1 0,0; OFFSCREEN-2 110,0") ==
+        Faults{"output.canvas: 'OFFSCREEN-2' is not there, and 'offscreen-2', which has no place, shows the "
+               "whole wall"});
+    CHECK(outputs.faults_of_canvas("offscreen-1 0,0").empty());
+    CHECK(outputs.faults_of_canvas("offscreen-1 0,0; offscreen-2 110,0; offscreen-3 200,0").empty());
+}
+
+TEST_CASE(
+    "on the canvas of several boxes an output counts with its box, and a box that follows tells nothing") {
+    Outputs outputs;
+    outputs.settings.wall = {.role = WallRole::lead, .box = "here"};
+    CHECK(outputs.faults_of_canvas("here/offscreen-1 0,0; offscreen-2 110,0").empty());
+    CHECK(
+        outputs.faults_of_canvas("offscreen-1 0,0; hall/offscreen-2 110,0") ==
+        Faults{"output.canvas: 'hall/offscreen-2' is not there, and 'offscreen-2', which has no place, shows "
+               "the whole wall"});
+    outputs.others.outputs = {{"hall/HDMI-A-1", 100, 50, {}}};
+    CHECK(
+        outputs.faults_of_canvas("offscreen-1 0,0; offscreen-2 110,0; hall/hdmi 200,0") ==
+        Faults{"output.canvas: 'hall/hdmi' is not there, and 'hall/HDMI-A-1', which has no place, shows the "
+               "whole wall"});
+    outputs.settings.wall.role = WallRole::follow;
+    CHECK(outputs.faults().empty());
+}
+
+TEST_CASE("a folder of an output that is not there in place of one that is, is told") {
+    Outputs outputs;
+    CHECK(outputs.faults_of_folders("offscreen-1=hall, OFFSCREEN-2=lobby") ==
+          Faults{
+              "output.folders: 'OFFSCREEN-2' is not there, and 'offscreen-2', which has no folder, shows the "
+              "whole media folder"});
+    CHECK(outputs.faults_of_folders("offscreen-1=hall").empty());
+    CHECK(outputs.faults_of_folders("offscreen-1=hall, offscreen-2=lobby, HDMI-A-1=lobby").empty());
+}
+
+TEST_CASE("while no output is there, the last faults are kept") {
+    Outputs outputs;
+    const Faults before = outputs.faults_of_folders("OFFSCREEN-1=hall");
+    REQUIRE(before.size() == 1);
+    outputs.found.look(outputs.settings, {}, {});
+    CHECK(outputs.found.all() == before);
+}
