@@ -119,7 +119,7 @@ void print_status(const Json& status) {
                       status.value("paused", false) ? ", paused" : ""));
     print("display   " + status.value("display", ""));
     print_outputs(status.at("outputs"));
-    for (const Json& fault : status.at("faults"))
+    for (const Json& fault : status.value("faults", Json::array()))
         print("fault     " + fault.get<std::string>());
     print(fmt::format("pictures  {} shown, {} left out as too late, {:.1f} a second, the last {:.1f} s ago",
                       status.value("pictures", 0), status.value("late", 0),

@@ -64,16 +64,6 @@ Vec2 near_whole(Vec2 px) {
     return {near_whole(px.x), near_whole(px.y)};
 }
 
-/// Adds the outputs that are new on a canvas to the one before, where they hang.
-void add_new_outputs(SharedCanvas& before, const SharedCanvas& now) {
-    if (before.parts.empty()) return;
-    const auto [scale, offset] = place_on(before.canvas, now.canvas);
-    for (const auto& [name, part] : now.parts)
-        before.parts.try_emplace(name, OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
-                                                          near_whole((part.box.max - offset) * (1 / scale))},
-                                                  .rotation = part.rotation});
-}
-
 }  // namespace
 
 SharedCanvas shared_canvas(const CanvasWords& words, std::span<const KnownOutput> outputs) {
@@ -126,18 +116,37 @@ void OutputCanvas::take(SharedCanvas shared) {
     if (shared == now_) return;
     before_ = std::exchange(now_, std::move(shared));
     if (!is_shared()) return;
-    add_new_outputs(before_, now_);
+    add_new_outputs(before_);
     log::info("one canvas of {:.0f}x{:.0f} px on {} {}", now_.canvas.x, now_.canvas.y, now_.parts.size(),
               now_.parts.size() == 1 ? "output" : "outputs");
+}
+
+/// Adds the outputs that have just come to the canvas before, where they hang. One that has shown all of that
+/// canvas so far goes on with it.
+void OutputCanvas::add_new_outputs(SharedCanvas& before) const {
+    if (before.parts.empty()) return;
+    const auto [scale, offset] = place_on(before.canvas, now_.canvas);
+    for (const auto& [name, part] : now_.parts)
+        if (is_new(name))
+            before.parts.try_emplace(name,
+                                     OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
+                                                        near_whole((part.box.max - offset) * (1 / scale))},
+                                                .rotation = part.rotation});
+}
+
+/// True for an output that is not there, or was not before the last follow().
+bool OutputCanvas::is_new(const std::string& output) const {
+    return std::ranges::none_of(
+        seen_, [&](const Seen& seen) { return seen.output.name == output && seen.first < seen.last; });
 }
 
 void OutputCanvas::see(const KnownOutput& output, std::chrono::nanoseconds now) {
     const auto same =
         std::ranges::find_if(seen_, [&](const Seen& seen) { return seen.output.name == output.name; });
     if (same == seen_.end())
-        seen_.push_back({.output = output, .last = now});
+        seen_.push_back({.output = output, .first = now, .last = now});
     else
-        *same = {.output = output, .last = now};
+        *same = {.output = output, .first = same->first, .last = now};
 }
 
 std::vector<ActParts> OutputCanvas::parts() const {
@@ -154,7 +163,8 @@ std::map<std::string, ActPart> OutputCanvas::act_parts(const SharedCanvas& share
         parts[name.find('/') == std::string::npos ? own + name : name] = {
             .box = part.box, .turned = degrees_of(part.rotation)};
     for (const OutputPlace& place : words_.places)  // of other boxes that are not there yet
-        if (place.output.find('/') != std::string::npos) parts.try_emplace(place.output);
+        if (place.output.find('/') != std::string::npos && is_new(place.output))
+            parts.try_emplace(place.output);
     return parts;
 }
 

@@ -122,12 +122,15 @@ class OutputCanvas {
   private:
     struct Seen {
         KnownOutput output;
-        std::chrono::nanoseconds last{0};  // when it was there
+        std::chrono::nanoseconds first{0};  // when it came
+        std::chrono::nanoseconds last{0};   // when it was there
     };
 
     void read_words();
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
+    void add_new_outputs(SharedCanvas& before) const;
+    bool is_new(const std::string& output) const;
     const SharedCanvas& shared_of(Vec2 canvas) const;
     const OutputPart* part_of(const Screen& screen, Vec2 canvas) const;
     std::map<std::string, ActPart> act_parts(const SharedCanvas& shared) const;

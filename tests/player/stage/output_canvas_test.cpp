@@ -124,6 +124,34 @@ TEST_CASE("a canvas that is written anew is followed at once") {
     CHECK_FALSE(pair.outputs.is_shared());
 }
 
+TEST_CASE("an output that gets a place goes on with all of the canvas before") {
+    Pair pair("offscreen-1 0,0");
+    Screen& second = *pair.display.screens()[1];
+    pair.follow(pair.display.screens(), 0s);
+    pair.follow(pair.display.screens(), 1s);
+    pair.settings.output.canvas = "offscreen-1 0,0; offscreen-2 0,60";
+    pair.follow(pair.display.screens(), 2s);
+    REQUIRE(pair.outputs.shared().parts.size() == 2);
+    CHECK_FALSE(pair.outputs.is_beyond(second, {100, 50}));
+    CHECK_FALSE(pair.outputs.view_on(second, {100, 50}).part);
+    CHECK(pair.outputs.view_on(second, pair.outputs.shared().canvas).part == Box{{0, 60}, {80, 110}});
+}
+
+TEST_CASE("another box whose output gets a place goes on with all of the canvas before") {
+    Pair pair("here/offscreen-1 0,0", WallRole::lead);
+    const std::vector<Screen*> own{pair.display.screens()[0]};
+    pair.others->outputs = {{"there/DP-1", 80, 50, {}}};
+    pair.outputs.follow(own, 0s);
+    pair.outputs.follow(own, 1s);
+    pair.settings.output.canvas = "here/offscreen-1 0,0; there/DP-1 0,60; far/DP-1 0,120";
+    pair.outputs.follow(own, 2s);
+    const std::vector<ActParts> all = pair.outputs.parts();
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].parts.at("there/DP-1").box == Box{{0, 60}, {80, 110}});
+    CHECK_FALSE(all[1].parts.contains("there/DP-1"));
+    CHECK(all[1].parts.at("far/DP-1").box.is_empty());  // it is not there yet
+}
+
 TEST_CASE("a guide shows the name, the place and the rulers of its screen in the canvas' units") {
     Pair pair("mm: offscreen-1 10,0 200x100; offscreen-2 230,0 200x100");
     pair.follow(pair.display.screens(), 0s);
