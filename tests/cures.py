@@ -282,7 +282,7 @@ CURES = [
     Cure("a wall that jumps on other boxes before it fades, as a box joins at the left", "player/scene/acts/followed_wall.cpp",
          "place_on(*shown_, *waiting_)", "Placement{}", "acts_test.shared_pan_test"),
     Cure("a box that joins and shows the whole wall for a moment", "player/stage/output_canvas.cpp",
-         "if (place.output.find('/') != std::string::npos) parts", "if (false) parts", "stage_test.output_canvas_test"),
+         "if (place.output.find('/') != std::string::npos && is_new(place.output))", "if (place.output.empty())", "stage_test.output_canvas_test"),
     Cure("black behind the only shot, in a hand", "player/scene/lifted_shots.cpp",
          "    if (is_bare) draw_bare(frame, dims);\n", "    (void)is_bare;\n    (void)&LiftedShots::draw_bare;\n", "scene_test.wall_touch_test"),
     Cure("a wall that flickers behind the only shot, in a hand", "player/layout/edit/wall_way.cpp",
