@@ -30,10 +30,14 @@ std::string overlap_of(const SharedCanvas& shared) {
     return {};
 }
 
+bool has(const Names& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
 /// The first name that the other names lack. Empty: there is none.
 std::string first_beside(const Names& names, const Names& others) {
-    const auto found = std::ranges::find_if(
-        names, [&](const std::string& name) { return std::ranges::find(others, name) == others.end(); });
+    const auto found =
+        std::ranges::find_if(names, [&](const std::string& name) { return !has(others, name); });
     return found == names.end() ? std::string() : *found;
 }
 
@@ -47,27 +51,42 @@ std::string misnamed(const Names& named, const Names& present, const std::string
     return fmt::format("'{}' is not there, and '{}', {}", missing, other, unnamed);
 }
 
+/// The outputs that have a folder of their own.
+Names names_in_folders(const Settings& settings) {
+    Names names;
+    const auto folders = output_folders_named(settings.output.folders).value();
+    for (const auto& [output, folder] : folders)
+        names.push_back(output);
+    return names;
+}
+
+Names names_on_canvas(const Settings& settings) {
+    Names names;
+    const CanvasWords words = own_canvas_words(settings);
+    std::ranges::transform(words.places, std::back_inserter(names), &OutputPlace::output);
+    return names;
+}
+
 std::string canvas_fault(const Settings& settings, std::span<Screen* const> screens,
                          const OtherOutputs& others) {
     if (settings.wall.role == WallRole::follow) return {};  // the leader decides
+    const Names elsewhere = names_in_folders(settings);
     std::vector<KnownOutput> outputs = others.outputs;
     for (const Screen* screen : screens)
-        outputs.push_back(known_output(settings, *screen));
-    const CanvasWords words = own_canvas_words(settings);
-    if (std::string overlap = overlap_of(shared_canvas(words, outputs)); !overlap.empty()) return overlap;
-    Names named, present;
-    std::ranges::transform(words.places, std::back_inserter(named), &OutputPlace::output);
+        if (!has(elsewhere, screen->name())) outputs.push_back(known_output(settings, *screen));
+    const SharedCanvas shared = shared_canvas(own_canvas_words(settings), outputs);
+    if (std::string overlap = overlap_of(shared); !overlap.empty()) return overlap;
+    Names present;
     std::ranges::transform(outputs, std::back_inserter(present), &KnownOutput::name);
-    return misnamed(named, present, "which has no place, shows the whole wall");
+    return misnamed(names_on_canvas(settings), present, "which has no place, shows the whole wall");
 }
 
 std::string folders_fault(const Settings& settings, std::span<Screen* const> screens) {
-    Names named, present;
-    const auto folders = output_folders_named(settings.output.folders).value();
-    for (const auto& [output, folder] : folders)
-        named.push_back(output);
-    std::ranges::transform(screens, std::back_inserter(present), &Screen::name);
-    return misnamed(named, present, "which has no folder, shows the whole media folder");
+    const Names elsewhere = names_on_canvas(settings);
+    Names present;
+    for (const Screen* screen : screens)
+        if (!has(elsewhere, screen->name())) present.push_back(screen->name());
+    return misnamed(names_in_folders(settings), present, "which has no folder, shows the whole media folder");
 }
 
 }  // namespace
@@ -80,7 +99,7 @@ void OutputFaults::look(const Settings& settings, std::span<Screen* const> scree
                                      std::pair("output.folders", folders_fault(settings, screens))})
         if (!fault.empty()) faults_.push_back(fmt::format("{}: {}", key, fault));
     for (const std::string& fault : faults_)
-        if (std::ranges::find(before, fault) == before.end()) log::warning("{}", fault);
+        if (!has(before, fault)) log::warning("{}", fault);
 }
 
 }  // namespace vitrine::player

@@ -87,6 +87,14 @@ TEST_CASE("a folder of an output that is not there in place of one that is, is t
     CHECK(outputs.faults_of_folders("offscreen-1=hall, offscreen-2=lobby, HDMI-A-1=lobby").empty());
 }
 
+TEST_CASE("an output that has a folder needs no place on the canvas, and one on the canvas needs no folder") {
+    Outputs outputs;
+    outputs.settings.output.folders = "offscreen-2=hall";
+    CHECK(outputs.faults_of_canvas("offscreen-1 0,0; HDMI-A-2 110,0").empty());
+    CHECK(outputs.faults_of_folders("offscreen-2=hall, HDMI-A-3=lobby").empty());
+    CHECK(outputs.faults_of_canvas("HDMI-A-2 110,0").size() == 2);
+}
+
 TEST_CASE("while no output is there, the last faults are kept") {
     Outputs outputs;
     const Faults before = outputs.faults_of_folders("OFFSCREEN-1=hall");
