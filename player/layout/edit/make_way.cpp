@@ -290,18 +290,21 @@ class Settling {
         return cost_ && *cost_ <= good_enough_;
     }
 
+    /// Notes the last layout where it is the best of those in which items move so far.
     void note_far() {
-        note(far_, loosely_local, loosely_near);
-        note(farthest_, anywhere, near_of_few);
+        if (!last_ || !is_sound(wall_, *last_, wishes_)) return;
+        const double cost = cost_of_plan(costs_, *last_);
+        const bool is_far = cost < far_.cost && moves_within(loosely_local, loosely_near);
+        const bool is_farthest = is_few() && cost < farthest_.cost && moves_within(anywhere, near_of_few);
+        if ((!is_far && !is_farthest) || !has_way()) return;
+        if (is_far) far_ = {*last_, cost};
+        if (is_farthest) farthest_ = {*last_, cost};
     }
 
-    /// @param others, let_go  shares of the diagonal: bounds for the ways of both
-    void note(Farther& best, double others, double let_go) const {
-        if (!last_ || !is_sound(wall_, *last_, wishes_) || !is_local(wall_, *last_, wishes_, others) ||
-            !keeps_let_go(wall_, *last_, made_, wishes_, let_go))
-            return;
-        const double cost = cost_of_plan(costs_, *last_);
-        if (cost < best.cost && has_way()) best = {*last_, cost};
+    /// @param others, let_go  shares of the diagonal: bounds for the ways of both in the last layout
+    bool moves_within(double others, double let_go) const {
+        return is_local(wall_, *last_, wishes_, others) &&
+               keeps_let_go(wall_, *last_, made_, wishes_, let_go);
     }
 
     /// True if all items have a way from where the wishes got room to the last layout.
