@@ -116,22 +116,22 @@ void OutputCanvas::take(SharedCanvas shared) {
     if (shared == now_) return;
     before_ = std::exchange(now_, std::move(shared));
     if (!is_shared()) return;
-    add_new_outputs(before_);
+    add_new_outputs();
     log::info("one canvas of {:.0f}x{:.0f} px on {} {}", now_.canvas.x, now_.canvas.y, now_.parts.size(),
               now_.parts.size() == 1 ? "output" : "outputs");
 }
 
 /// Adds the outputs that have just come to the canvas before, where they hang. One that has shown all of that
 /// canvas so far goes on with it.
-void OutputCanvas::add_new_outputs(SharedCanvas& before) const {
-    if (before.parts.empty()) return;
-    const auto [scale, offset] = place_on(before.canvas, now_.canvas);
+void OutputCanvas::add_new_outputs() {
+    if (before_.parts.empty()) return;
+    const auto [scale, offset] = place_on(before_.canvas, now_.canvas);
     for (const auto& [name, part] : now_.parts)
         if (is_new(name))
-            before.parts.try_emplace(name,
-                                     OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
-                                                        near_whole((part.box.max - offset) * (1 / scale))},
-                                                .rotation = part.rotation});
+            before_.parts.try_emplace(name,
+                                      OutputPart{.box = {near_whole((part.box.min - offset) * (1 / scale)),
+                                                         near_whole((part.box.max - offset) * (1 / scale))},
+                                                 .rotation = part.rotation});
 }
 
 /// True for an output that is not there, or was not before the last follow().

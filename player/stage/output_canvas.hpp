@@ -129,7 +129,7 @@ class OutputCanvas {
     void read_words();
     void see(const KnownOutput& output, std::chrono::nanoseconds now);
     void take(SharedCanvas shared);
-    void add_new_outputs(SharedCanvas& before) const;
+    void add_new_outputs();
     bool is_new(const std::string& output) const;
     const SharedCanvas& shared_of(Vec2 canvas) const;
     const OutputPart* part_of(const Screen& screen, Vec2 canvas) const;

@@ -60,9 +60,8 @@ Names names_in_folders(const Settings& settings) {
     return names;
 }
 
-Names names_on_canvas(const Settings& settings) {
+Names names_on_canvas(const CanvasWords& words) {
     Names names;
-    const CanvasWords words = own_canvas_words(settings);
     std::ranges::transform(words.places, std::back_inserter(names), &OutputPlace::output);
     return names;
 }
@@ -74,15 +73,15 @@ std::string canvas_fault(const Settings& settings, std::span<Screen* const> scre
     std::vector<KnownOutput> outputs = others.outputs;
     for (const Screen* screen : screens)
         if (!has(elsewhere, screen->name())) outputs.push_back(known_output(settings, *screen));
-    const SharedCanvas shared = shared_canvas(own_canvas_words(settings), outputs);
-    if (std::string overlap = overlap_of(shared); !overlap.empty()) return overlap;
+    const CanvasWords words = own_canvas_words(settings);
+    if (std::string overlap = overlap_of(shared_canvas(words, outputs)); !overlap.empty()) return overlap;
     Names present;
     std::ranges::transform(outputs, std::back_inserter(present), &KnownOutput::name);
-    return misnamed(names_on_canvas(settings), present, "which has no place, shows the whole wall");
+    return misnamed(names_on_canvas(words), present, "which has no place, shows the whole wall");
 }
 
 std::string folders_fault(const Settings& settings, std::span<Screen* const> screens) {
-    const Names elsewhere = names_on_canvas(settings);
+    const Names elsewhere = names_on_canvas(own_canvas_words(settings));
     Names present;
     for (const Screen* screen : screens)
         if (!has(elsewhere, screen->name())) present.push_back(screen->name());
