@@ -62,12 +62,16 @@ double share(const WallState& wall) {
     return 1 - layout_of(wall).energy;
 }
 
+std::vector<NamedItem> named(const Items& items) {
+    std::vector<NamedItem> all;
+    for (const LayoutItem& item : items)
+        all.push_back({"", all.size(), item});
+    return all;
+}
+
 /// The share of the screen that no picture reaches.
 double background_of(const WallState& wall) {
-    std::vector<NamedItem> named;
-    for (const LayoutItem& item : wall.items)
-        named.push_back({"", named.size(), item});
-    return 1 - plan_result(named, layout_of(wall)).canvas_filled;
+    return 1 - plan_result(named(wall.items), layout_of(wall)).canvas_filled;
 }
 
 /// Sums over the instances of one edit.
@@ -226,8 +230,7 @@ void edits_table(const Supply& supply, int instances) {
         for (const auto& [name, row] : rows) {
             const auto mean = [&, n = row.count](double sum) { return sum / n; };
             fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | "
-                       "{} of {} | {} "
-                       "|\n",
+                       "{} of {} | {} |\n",
                        count, name, mean(row.ms), row.max_ms, 100 * mean(row.median), 100 * mean(row.worst),
                        mean(row.before), mean(row.after), 100 * mean(row.background),
                        100 * row.most_background, row.crossfades, row.count, row.unsound);
@@ -246,10 +249,7 @@ void cells_table(const Supply& supply, int instances) {
             std::size_t corners = 0;
             for (int k = 0; k < instances; ++k) {
                 Random random(static_cast<std::uint64_t>(k) + 1);
-                std::vector<NamedItem> named;
                 const Items items = supply.next(count, random);
-                for (const LayoutItem& item : items)
-                    named.push_back({"", named.size(), item});
                 const Layout layout = planned(items, size, static_cast<std::uint64_t>(k) + 1);
                 const double start = cpu_ms();
                 const std::vector<Cell> made = cells(items, layout);
@@ -257,7 +257,7 @@ void cells_table(const Supply& supply, int instances) {
                 for (const Cell& cell : made)
                     for (const Polygon& part : cell.parts)
                         corners += part.size();
-                const PlanResult result = plan_result(named, layout);
+                const PlanResult result = plan_result(named(items), layout);
                 lost += (1 - result.region_visible) * (1 - layout.energy) * size.x * size.y;
                 background += 1 - result.canvas_filled;
                 largest = std::max(largest, 1 - result.canvas_filled);
