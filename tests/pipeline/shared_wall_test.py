@@ -26,7 +26,8 @@ RATE = 25  # pictures a second
 BRIGHT = 150  # level that the walls of these tests always have somewhere, and the idle picture never
 ACROSS, DOWN = 32, 18  # px of the pictures that are compared
 SAME = 2  # levels: the mean difference of two coded pictures of one moment is less
-NEAR = 8  # the same while a hand moves a shot, which others see some milliseconds later
+NEAR = 5  # the same while a hand moves a shot
+HAND = 12  # pictures by which others see it late at most
 DRAG_AT = 20  # seconds after the follower's start
 END = 38  # a film begins with the first picture, on a busy machine some seconds after the start
 
@@ -66,6 +67,13 @@ def shift(left, right, begin, count, most=None):
     return best, found[best]
 
 
+def trail(left, right, begin, count, apart):
+    """How far from equal they are while a hand moves a shot, which one box shows up to HAND pictures after the other, as its machine is busy. @param
+    apart  by how many pictures they are apart without a hand"""
+    shifts = range(apart - HAND, apart + HAND + 1)
+    return statistics.fmean(min(difference(left[begin + k + by], right[begin + k]) for by in shifts) for k in range(0, count, 5))
+
+
 class Wall(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -82,7 +90,7 @@ class Wall(unittest.TestCase):
         cls.media = cls.folder / "media"
         draw_media(cls.media)
         subprocess.run([ANALYZER, "watch", "--once", "--config", cls.left.settings, "--media.root", cls.media,
-                        "--analyzer.saliency", "plain", "--status.folder", ""], check=True, timeout=PATIENCE, capture_output=True)
+                        "--analyzer.saliency", "plain", "--status.folder", ""], check=True, timeout=5 * PATIENCE, capture_output=True)
 
     def setUp(self):
         self.broker.start()
@@ -178,12 +186,13 @@ class Wall(unittest.TestCase):
     def check_in_step(self, left, right, *after_drag):
         """@param after_drag  seconds from the drag's begin at which they are compared, too"""
         with self.subTest("the same picture at the same moment, before, while and after the wall is moved"):
-            windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, DRAG_AT + 1, *(DRAG_AT + later for later in after_drag))}
-            print(f"pictures apart, and how far from equal: {windows}")
+            windows = {at: shift(left, right, at * RATE, RATE) for at in (12, 16, *(DRAG_AT + later for later in after_drag))}
+            dragged = trail(left, right, (DRAG_AT + 1) * RATE, RATE, windows[12][0])
+            print(f"pictures apart, and how far from equal: {windows}, and {dragged} under a hand")
             for at, (apart, off) in windows.items():
-                is_dragged = at == DRAG_AT + 1  # a wall that pans is seen as a whole where the finger was some pictures ago
-                self.assertLess(off, NEAR if is_dragged else SAME, f"at {at} s")
-                self.assertLessEqual(abs(apart - windows[12][0]), 3 if is_dragged else 1, f"at {at} s")
+                self.assertLess(off, SAME, f"at {at} s")
+                self.assertLessEqual(abs(apart - windows[12][0]), 1, f"at {at} s")
+            self.assertLess(dragged, NEAR)
 
     def test_a_follower_shows_a_panning_wall_and_its_visitors_move_it(self):
         left, right, _ = self.film_two_boxes(("pan", "pans"), DRAG_AT + 12, "--layout.mode", "pan", "--show.pan_pixels_per_second", 20)
@@ -212,12 +221,13 @@ class Wall(unittest.TestCase):
         left, right, _ = self.film_two_boxes(("strip", "strips"), at + 25, "--show.order", "name", touches=touches, slots=1)
         # A busy box needs a second or two to open what a touch lets play.
         with self.subTest("the same picture at the same moment"):
-            windows = {later: (shift(left, right, (at + later) * RATE, RATE, 2 * RATE), bound)
-                       for later, bound in ((-4, SAME), (4, SAME), (9, SAME), (12, NEAR), (16, SAME), (22, SAME))}
-            print(f"pictures apart, and how far from equal, by seconds after the first touch: {windows}")
-            for later, ((apart, off), bound) in windows.items():
-                self.assertLess(off, bound, f"{later} s after the first touch")
-                self.assertLessEqual(abs(apart - windows[-4][0][0]), 5 if bound == NEAR else 1, f"{later} s after the first touch")
+            windows = {later: shift(left, right, (at + later) * RATE, RATE, 2 * RATE) for later in (-4, 4, 9, 16, 22)}
+            dragged = trail(left, right, (at + 12) * RATE, RATE, windows[-4][0])
+            print(f"pictures apart, and how far from equal, by seconds after the first touch: {windows}, and {dragged} under a finger")
+            for later, (apart, off) in windows.items():
+                self.assertLess(off, SAME, f"{later} s after the first touch")
+                self.assertLessEqual(abs(apart - windows[-4][0]), 1, f"{later} s after the first touch")
+            self.assertLess(dragged, NEAR)
         with self.subTest("a tapestry was seen, moved, and went"):
             moments = [right[round((at + later) * RATE)] for later in (-1, 4.5, 16.5, 22)]
             for one, other in zip(moments, moments[1:]):
