@@ -147,6 +147,14 @@ void show_arrived(WallChange& change, const WallSources& sources, WallEntries& s
     tell_appeared(change, slots);
 }
 
+/// True once a change is drawn. One to another canvas is drawn from its begin on, as outputs show other parts
+/// of that canvas.
+bool is_drawn(const WallChange& change, std::span<const PlacedShot> shown, Vec2 shown_canvas,
+              std::chrono::nanoseconds now) {
+    if (!change.is_fading()) return false;
+    return change.began <= now || change.canvas == shown_canvas || shown.empty();
+}
+
 WallSettings with_numbers(WallSettings settings) {
     std::shared_ptr<SourceId>& numbers = settings.slots.numbers;
     if (!numbers) numbers = std::make_shared<SourceId>(settings.slots.last_source);
@@ -273,7 +281,7 @@ WallStep Wall::step(std::chrono::nanoseconds now) {
         step.requests.insert(step.requests.end(), requests.begin(), requests.end());
     }
     if (change_ && change_->phase == Phase::waiting) wait_for_sources(now);
-    step.frame = change_ && change_->is_fading()
+    step.frame = change_ && is_drawn(*change_, shown_, shown_canvas_, now)
                      ? change_frame(*change_, shown_, settings_.transition, now)
                      : standing_frame(shown_.empty() ? canvas_ : shown_canvas_, shown_, now);
     touch_.lifted().draw(step.frame);

@@ -90,16 +90,20 @@ FollowedState FollowedWall::state() const {
     return state;
 }
 
-/// Shows the act that waits, if its time has come. One that goes on elsewhere comes when its change begins.
+/// Shows the act that waits, if its time has come. One that goes on elsewhere, or on another canvas, comes
+/// when its change begins.
 void FollowedWall::take_waiting() {
     if (!waiting_) return;
     const nanoseconds waited = now_ - waiting_since_;
     const bool has_time = shown_ || is_clock_right_ || waited >= clock_patience;
     if (!(has_time && sources_.are_there(*waiting_)) && waited < patience) return;
     const nanoseconds shared = now_ + epoch_;
-    if (shown_ && !is_next(*waiting_, *shown_, shared) && !is_further(*waiting_, *shown_)) {
-        std::optional<WallChange>& change = waiting_->change;
-        if (change && leaders_time(*waiting_, shared) < change->began) return;
+    const bool goes_on = shown_ && (is_next(*waiting_, *shown_, shared) || is_further(*waiting_, *shown_));
+    std::optional<WallChange>& change = waiting_->change;
+    if (shown_ && !(goes_on && waiting_->canvas == shown_->canvas) && change &&
+        leaders_time(*waiting_, shared) < change->began)
+        return;
+    if (shown_ && !goes_on) {
         if (change && change->phase == WallChange::Phase::arriving) {
             waiting_->shown = std::move(change->wall);  // it need not come out of nothing
             change.reset();

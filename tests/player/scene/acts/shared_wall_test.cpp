@@ -470,6 +470,26 @@ TEST_CASE("until a wall is laid out for a canvas that has grown, all boxes keep 
     CHECK(house.followed(1).shown()->parts == before.parts);
 }
 
+TEST_CASE("until a change to another canvas begins, all boxes show the wall on the canvas before") {
+    SharedHouse house = resting_house();
+    const Vec2 before = house.led().parts().canvas;
+    const Vec2 other{1280, 1480};
+    house.led().set_canvas(other);
+    int seen = 0;  // moments between the decision and the begin
+    for (int moment = 0; moment < 100; ++moment) {
+        house.run(30ms);
+        const std::optional<WallChange>& change = house.led().parts().change;
+        if (!change || !change->is_fading()) continue;
+        const Ns passed = house.boxes[0].last.time - change->began;
+        if (passed > -60ms && passed < 60ms) continue;
+        seen += passed < 0ns;
+        for (const TestBox& box : house.boxes)
+            CHECK(box.last.canvas == (passed < 0ns ? before : other));
+    }
+    CHECK(seen > 10);
+    CHECK(house.followed(1).shown()->canvas == other);
+}
+
 TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some stay while the wall changes") {
     SharedHouse house({.seed = 8, .followers = 1});
     const Box left{{0, 0}, {630, 720}};
