@@ -645,6 +645,8 @@ CURES = [
          "    display_->hours().set_others_awake(wall_.others()->are_awake);\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
     Cure("a misspelt display in the settings that nobody tells of", "player/stage/output_faults.cpp",
          "    if (missing.empty() || other.empty()) return {};\n", "    if (!missing.empty() || other.empty()) return {};\n", "stage_test.output_faults_test"),
+    Cure("a follower whose disk was full stays so, and nobody says why", "link/wall/fetch",
+         "    make_room && fetch_all", "    return $code", "pipeline.link", targets=("vitrine-link",), only="release"),
     Cure("a small wall on the new canvas before the change begins", "player/scene/wall.cpp",
          "    return change.began <= now || ", "    return now >= now || ", "acts_test.shared_wall_test"),
     Cure("a small wall on the new canvas of a follower before the change begins", "player/scene/acts/followed_wall.cpp",

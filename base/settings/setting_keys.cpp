@@ -511,6 +511,10 @@ constexpr auto keys = std::to_array<SettingKey>({
      text<&S::wall, &S::Wall::socket>("a path of at most 107 bytes, from the root", is_socket_path),
      SettingEffect::restart,
      "Socket at which vitrine-link, which speaks to the other boxes, waits for the player."},
+    {"wall.fetch_fault", text<&S::wall, &S::Wall::fetch_fault>("a path", is_not_empty),
+     SettingEffect::restart,
+     "File in which a follower keeps why it could not fetch the leader's files. `vitrinectl status` tells "
+     "it."},
 });
 
 }  // namespace

@@ -132,6 +132,7 @@ struct Settings {
         std::string leader;  // host name or address; a follower's
         std::string key = "/etc/vitrine/wall.key";
         std::string socket = "/run/vitrine-link/link.sock";
+        std::string fetch_fault = "/run/vitrine-wall-fetch/fault";
     } wall;
 };
 

@@ -111,6 +111,8 @@ void print_wall(const Json& wall) {
         print(fmt::format("  {:<8} {}", box.value("name", ""), box.value("says", "")));
         for (const Json& path : box.at("lacks"))
             print(fmt::format("          lacks {}", path.get<std::string>()));
+        if (const std::string why = box.value("fetch_fault", ""); !why.empty())
+            print("          cannot fetch files: " + why);
     }
 }
 

@@ -89,6 +89,7 @@ Json wall_json(const WallReport& wall) {
                          {"right_clock", box.has_right_clock},
                          {"microseconds_off", box.difference.count()},
                          {"lacks", box.lacking},
+                         {"fetch_fault", box.fetch_fault},
                          {"says", in_words(box, leader == wall.boxes.end() ? nullptr : &*leader)}});
     return {{"name", wall.name}, {"this", wall.own}, {"link", wall.link}, {"boxes", std::move(boxes)}};
 }

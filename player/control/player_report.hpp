@@ -45,6 +45,7 @@ struct WallReport {
         bool has_right_clock = false;
         std::chrono::microseconds difference{0};  // of its time from its system's clock
         std::vector<std::string> lacking = {};    // paths of shots that it has not got
+        std::string fetch_fault = {};  // why it could not fetch files the last time; empty: it could
     };
 
     std::string name;

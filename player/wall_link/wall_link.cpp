@@ -39,7 +39,8 @@ WallReport::Box report_of(const std::string& name, const BoxNote& note) {
             .generation = note.shown ? note.shown->generation : 0,
             .has_right_clock = note.has_right_clock,
             .difference = note.difference,
-            .lacking = note.lacking};
+            .lacking = note.lacking,
+            .fetch_fault = note.fetch_fault};
 }
 
 }  // namespace
@@ -47,6 +48,7 @@ WallReport::Box report_of(const std::string& name, const BoxNote& note) {
 WallLink::WallLink(EventLoop& loop, const Settings& settings)
     : settings_(settings),
       clock_(settings.wall.role),
+      fetch_fault_(settings.wall.fetch_fault),
       others_(std::make_shared<OtherOutputs>()),
       talk_(make_talk(settings)) {
     if (!talk_) return;
@@ -110,6 +112,7 @@ BoxMoment WallLink::moment(std::chrono::nanoseconds now) const {
         .own = {.has_guides = has_guides_,
                 .is_awake = is_awake_,
                 .outputs = outputs_,
+                .fetch_fault = fetch_fault_.text(),
                 .has_right_clock = shared.is_right(),
                 .difference = std::chrono::duration_cast<std::chrono::microseconds>(shared.difference())}};
 }
@@ -131,6 +134,7 @@ void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chr
         }
     }
     follow_others();
+    if (settings_.wall.role == WallRole::follow) fetch_fault_.look(now);
     if (waits) return;
     talk_->direct(stages.first().wall(), moment(now));
     touch(stages.first(), now);

@@ -7,6 +7,7 @@
 #include "player/control/player_report.hpp"
 #include "player/scene/acts/box_talk.hpp"
 #include "player/stage/output_canvas.hpp"
+#include "player/wall_link/fetch_fault.hpp"
 #include "player/wall_link/shared_clock.hpp"
 
 #include <chrono>
@@ -79,6 +80,7 @@ class WallLink {
 
     const Settings& settings_;  // outlive this
     SharedClock clock_;
+    FetchFault fetch_fault_;
     std::shared_ptr<OtherOutputs> others_;  // shared with the stage that reads it
     std::unique_ptr<BoxTalk> talk_;         // none: the wall is this box's alone
     std::vector<WallMessage> heard_;

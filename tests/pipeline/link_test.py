@@ -251,6 +251,30 @@ class TwoBoxes(unittest.TestCase):
         self.assertNotEqual(pushed.returncode, 0)
         self.assertFalse((self.left.state / "store" / "b").exists())
 
+    def test_a_follower_whose_disk_is_full_makes_room_and_tells_if_that_is_not_enough(self):
+        share = start_share(self.left)
+        self.addCleanup(share.wait)
+        self.addCleanup(share.kill)
+        until("a share", lambda: self.right.fetch().returncode == 0)
+        subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", self.right.state], check=True)
+        self.addCleanup(subprocess.run, ["umount", self.right.state], check=True)
+        store = self.left.state / "store"
+
+        def fetch(replaces, name, size):
+            """The status of a fetch once a file has come in place of another, and why it failed."""
+            (store / replaces).unlink(missing_ok=True)
+            (store / name).write_bytes(bytes(1000 * size))
+            code = self.right.fetch().returncode
+            return code, self.right.fetch_fault.read_text() if self.right.fetch_fault.exists() else ""
+
+        self.assertEqual(fetch("none", "a.mp4", 600), (0, ""))
+        self.assertEqual(fetch("a.mp4", "b.mp4", 600), (0, ""), "the old film makes room")
+        self.assertEqual([file.name for file in (self.right.state / "store").iterdir()], ["b.mp4"])
+        code, why = fetch("none", "c.mp4", 900)
+        self.assertEqual(code, 11)
+        self.assertRegex(why, r"^rsync: .*No space left on device.*\n$")
+        self.assertEqual(fetch("c.mp4", "d.mp4", 10), (0, ""))
+
     def clock_settings(self, box):
         """Debian's own settings of chronyd, which include ours; no pools, and no files of this machine."""
         conf = box.root / "etc/chrony/chrony.conf"

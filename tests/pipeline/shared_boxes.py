@@ -70,10 +70,12 @@ class Box:
         self.root, self.name, self.inside = Path(folder) / name, name, list(inside)
         self.settings = self.root / "etc/vitrine/vitrine.toml"
         self.settings.parent.mkdir(parents=True)
+        self.fetch_fault = self.root / "fetch_fault"
         self.state = self.root / "state"
         for part in ("catalogue", "store"):
             (self.state / part).mkdir(parents=True)
-        self.settings.write_text(f'[state]\ndirectory = "{self.state}"\n\n[wall]\n# a comment\n#role = "alone"\nbox = "{name}"\n')
+        self.settings.write_text(f'[state]\ndirectory = "{self.state}"\n\n[wall]\n# a comment\n#role = "alone"\nbox = "{name}"\n'
+                                 f'fetch_fault = "{self.fetch_fault}"\n')
         self.key = self.root / "etc/vitrine/wall.key"
         self.link = None
 
@@ -89,7 +91,9 @@ class Box:
     def written(self, name):
         """A file that was written, with the paths of this test in place of the machine's."""
         path = self.root / name
-        path.write_text(path.read_text().replace("/etc/vitrine/wall/", f"{self.root}/etc/vitrine/wall/"))
+        text = path.read_text()
+        if f"{self.root}/etc/" not in text:
+            path.write_text(text.replace("/etc/vitrine/wall/", f"{self.root}/etc/vitrine/wall/"))
         return path
 
     def socket(self):

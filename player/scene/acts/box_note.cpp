@@ -52,6 +52,7 @@ BoxNote box_note_in(const ActJson& json) {
     if (json.contains("lacking"))
         for (const ActJson& path : array_in(json, "lacking", max_told_lacks))
             note.lacking.push_back(short_text(path));
+    if (json.contains("fetch_fault")) note.fetch_fault = short_text(json.at("fetch_fault"));
     note.has_right_clock = json.value("has_right_clock", false);
     if (json.contains("difference_us"))
         note.difference = std::chrono::microseconds(whole_in(json, "difference_us", -largest, largest));
@@ -84,6 +85,7 @@ std::string to_json(const BoxNote& note) {
                                    {"turned", output.turned}});
     for (const std::string& path : note.lacking)
         if (json["lacking"].size() < max_told_lacks) json["lacking"].push_back(path);
+    if (!note.fetch_fault.empty()) json["fetch_fault"] = note.fetch_fault;
     if (note.shown) json["shown"] = name_to_json(*note.shown);
     return json.dump(-1, ' ', false, ActJson::error_handler_t::replace);
 }

@@ -29,6 +29,7 @@ struct BoxNote {
     std::vector<BoxOutput> outputs = {};
     std::optional<ActName> shown = {};        // the act that it draws; none: none yet
     std::vector<std::string> lacking = {};    // paths of shots that it has not got; at most 100
+    std::string fetch_fault = {};             // why it could not fetch files the last time; empty: it could
     bool has_right_clock = false;             // its system's clock is kept right
     std::chrono::microseconds difference{0};  // of its shared time from that clock
 

@@ -262,12 +262,14 @@ TEST_CASE("what boxes tell of themselves is read as it was written, and bounded"
                        .outputs = {{.name = "HDMI-A-1", .width = 1920, .height = 1080, .turned = 270}},
                        .shown = ActName{.run = 5, .generation = 6},
                        .lacking = {"a.jpg"},
+                       .fetch_fault = "rsync: connection refused",
                        .has_right_clock = true,
                        .difference = -40us};
     CHECK(box_note_from_json(to_json(note)) == note);
     CHECK(box_note_from_json(R"({"gone":true})").is_gone);
-    for (const char* const bad : {"", "[]", R"({"outputs":[{"name":"a","width":0,"height":1,"turned":0}]})",
-                                  R"({"outputs":7})", R"({"lacking":[7]})", R"({"gone":"yes"})"})
+    for (const char* const bad :
+         {"", "[]", R"({"outputs":[{"name":"a","width":0,"height":1,"turned":0}]})", R"({"outputs":7})",
+          R"({"lacking":[7]})", R"({"fetch_fault":7})", R"({"gone":"yes"})"})
         CHECK_THROWS_AS(box_note_from_json(bad), std::runtime_error);
     const ActName name{.run = 1, .generation = 2};
     CHECK(ready_from_json(ready_to_json(name)) == name);
