@@ -109,7 +109,7 @@ WallArrangement PlayerService::arrangement() const {
                                 .slots = controls_.slots,
                                 .removed = {}};
     for (const std::string& path : view_.files.dismissed())
-        if (const RecordList::Record file = view_.files.find(path))
+        if (const RecordList::Record file = view_.files.catalogue().find(path))
             arrangement.removed.push_back({.path = path, .bytes = file->bytes, .mtime_ns = file->mtime_ns});
     return arrangement;
 }
@@ -118,13 +118,13 @@ WallArrangement PlayerService::arrangement() const {
 void PlayerService::take(const WallArrangement& arrangement) {
     std::set<std::string> removed;
     for (const RemovedFile& known : arrangement.removed) {
-        const RecordList::Record file = view_.files.find(known.path);
+        const RecordList::Record file = view_.files.catalogue().find(known.path);
         if (file && file->bytes == known.bytes && file->mtime_ns == known.mtime_ns)
             removed.insert(known.path);
     }
     controls_.files.clear();
     for (const std::string& path : arrangement.pinned)
-        if (view_.files.find(path)) controls_.files.insert(path);
+        if (view_.files.catalogue().find(path)) controls_.files.insert(path);
     controls_.slots.clear();
     for (const int slot : arrangement.slots)
         if (slot >= 0 && slot < view_.settings.layout.slots) controls_.slots.insert(slot);
@@ -138,7 +138,7 @@ void PlayerService::report_status() {
     report_.arm(report_interval);
     const std::span<Screen* const> screens = view_.display.screens();
     rate_.report(screens.empty() ? 0 : screens.front()->flips(), now_);
-    faults_.look(view_.settings, screens, *view_.wall.others());
+    faults_.look(view_.settings, screens, *view_.wall.others(), view_.files.catalogue());
     service::status(one_line(report()));
     metrics_.write_if_due(view_.settings.metrics.file, now_, [this] {
         std::vector<std::pair<std::string, std::size_t>> states;
@@ -205,7 +205,7 @@ FileReport PlayerService::report_file(const std::string& given, const std::strin
     const std::string root = std::filesystem::absolute(view_.settings.media.root).string();
     const std::vector<std::string> names = media_names(given, folder, root);
     for (const std::string& name : names)
-        if (const auto record = view_.files.find(name)) return describe(*record);
+        if (const auto record = view_.files.catalogue().find(name)) return describe(*record);
     FileReport unknown{.path = given, .state = "unknown"};
     if (std::ranges::any_of(names, is_in_inbox))
         unknown.reason = "It is in the inbox: it is shown once somebody has moved it out.";
@@ -217,7 +217,7 @@ FileReport PlayerService::report_file(const std::string& given, const std::strin
 /// The record of a file that is shown. Lent until the event loop runs again.
 const MediaRecord& PlayerService::require_shown(const std::string& given, const std::string& folder) const {
     const FileReport file = report_file(given, folder);
-    const RecordList::Record record = view_.files.find(file.path);
+    const RecordList::Record record = view_.files.catalogue().find(file.path);
     if (record && is_ready(*record)) return *record;
     if (file.state == "unknown") throw unknown_file(given);
     throw std::runtime_error(

@@ -69,8 +69,8 @@ class VisibleFiles {
     /// The number of judgements so far.
     std::size_t judgements() const { return judged_.judgements(); }
 
-    /// The record of a file, visible or not. None: the analyzer has written no record.
-    RecordList::Record find(const std::string& path) const { return follower_.records().find(path); }
+    /// All files of which the analyzer has written a record, visible or not.
+    const RecordList& catalogue() const { return follower_.records(); }
 
     /// The first filter that keeps the file off the wall.
     FileVisibility judge(const MediaRecord& file) const;

@@ -4,6 +4,7 @@
 #include "base/settings/settings.hpp"
 #include "base/system/log.hpp"
 #include "player/display/screen.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/stage/output_canvas.hpp"
 
 #include <fmt/format.h>
@@ -75,9 +76,13 @@ std::string canvas_fault(const Settings& settings, std::span<Screen* const> scre
         if (!has(elsewhere, screen->name())) outputs.push_back(known_output(settings, *screen));
     const CanvasWords words = own_canvas_words(settings);
     if (std::string overlap = overlap_of(shared_canvas(words, outputs)); !overlap.empty()) return overlap;
+    const Names named = names_on_canvas(words);
     Names present;
     std::ranges::transform(outputs, std::back_inserter(present), &KnownOutput::name);
-    return misnamed(names_on_canvas(words), present, "which has no place, shows the whole wall");
+    if (screens.empty())  // they may be off
+        std::ranges::copy_if(named, std::back_inserter(present),
+                             [](const std::string& name) { return name.find('/') == std::string::npos; });
+    return misnamed(named, present, "which has no place, shows the whole wall");
 }
 
 std::string folders_fault(const Settings& settings, std::span<Screen* const> screens) {
@@ -88,15 +93,35 @@ std::string folders_fault(const Settings& settings, std::span<Screen* const> scr
     return misnamed(names_in_folders(settings), present, "which has no folder, shows the whole media folder");
 }
 
+bool is_empty(const RecordList& files) {
+    return files.begin() == files.end();
+}
+
+/// A screen whose folder has no files, while others have some.
+std::string empty_folder(const Settings& settings, std::span<Screen* const> screens,
+                         const RecordList& files) {
+    if (is_empty(files)) return {};
+    const auto folders = output_folders_named(settings.output.folders).value();
+    for (const Screen* screen : screens)
+        if (const auto own = folders.find(screen->name());
+            own != folders.end() && is_empty(files.in_folder(own->second)))
+            return fmt::format("'{}' shows nothing: its folder '{}' has no files", screen->name(),
+                               own->second);
+    return {};
+}
+
 }  // namespace
 
 void OutputFaults::look(const Settings& settings, std::span<Screen* const> screens,
-                        const OtherOutputs& others) {
-    if (screens.empty()) return;
+                        const OtherOutputs& others, const RecordList& files) {
+    if (screens.empty() && others.outputs.empty()) return;
     const Names before = std::exchange(faults_, {});
-    for (const auto& [key, fault] : {std::pair("output.canvas", canvas_fault(settings, screens, others)),
-                                     std::pair("output.folders", folders_fault(settings, screens))})
+    const auto add = [&](const char* key, const std::string& fault) {
         if (!fault.empty()) faults_.push_back(fmt::format("{}: {}", key, fault));
+    };
+    add("output.canvas", canvas_fault(settings, screens, others));
+    add("output.folders", folders_fault(settings, screens));
+    add("output.folders", empty_folder(settings, screens, files));
     for (const std::string& fault : faults_)
         if (!has(before, fault)) log::warning("{}", fault);
 }

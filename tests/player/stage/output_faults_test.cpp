@@ -2,6 +2,7 @@
 
 #include "base/settings/settings.hpp"
 #include "player/display/offscreen_display.hpp"
+#include "player/scene/files/show_files.hpp"
 #include "player/stage/output_canvas.hpp"
 
 #include <doctest/doctest.h>
@@ -19,7 +20,7 @@ using Faults = std::vector<std::string>;
 /// Two screens in memory, of 100x50 and 80x50 px, and the outputs of another box.
 struct Outputs {
     Faults faults() {
-        found.look(settings, display.screens(), others);
+        found.look(settings, display.screens(), others, files);
         return found.all();
     }
 
@@ -36,6 +37,7 @@ struct Outputs {
     Settings settings;
     OffscreenDisplay display{{.screens = {{100, 50}, {80, 50}}}, {}, 30};
     OtherOutputs others;
+    RecordList files;
     OutputFaults found;
 };
 
@@ -99,6 +101,36 @@ TEST_CASE("while no output is there, the last faults are kept") {
     Outputs outputs;
     const Faults before = outputs.faults_of_folders("OFFSCREEN-1=hall");
     REQUIRE(before.size() == 1);
-    outputs.found.look(outputs.settings, {}, {});
+    outputs.found.look(outputs.settings, {}, {}, {});
     CHECK(outputs.found.all() == before);
+}
+
+TEST_CASE("a leader whose outputs are off tells of those of other boxes, and does not miss its own") {
+    Outputs outputs;
+    outputs.settings.wall = {.role = WallRole::lead, .box = "here"};
+    outputs.settings.output.canvas = "here/offscreen-1 0,0; hall/hdmi 200,0";
+    outputs.others.outputs = {{"hall/HDMI-A-1", 100, 50, {}}};
+    outputs.found.look(outputs.settings, {}, outputs.others, {});
+    CHECK(
+        outputs.found.all() ==
+        Faults{"output.canvas: 'hall/hdmi' is not there, and 'hall/HDMI-A-1', which has no place, shows the "
+               "whole wall"});
+    outputs.settings.output.canvas = "here/offscreen-1 0,0";
+    outputs.found.look(outputs.settings, {}, outputs.others, {});
+    CHECK(outputs.found.all().empty());
+}
+
+TEST_CASE("an output whose folder has no files is told, once there are others") {
+    Outputs outputs;
+    CHECK(outputs.faults_of_folders("offscreen-1=hall, offscreen-2=lobby").empty());
+    MediaRecord file;
+    file.path = "hall/a.jpg";
+    std::vector<MediaRecord> files{file};
+    outputs.files = files;
+    CHECK(outputs.faults() ==
+          Faults{"output.folders: 'offscreen-2' shows nothing: its folder 'lobby' has no files"});
+    file.path = "lobby/b.jpg";
+    files.push_back(file);
+    outputs.files = files;
+    CHECK(outputs.faults().empty());
 }
