@@ -171,7 +171,7 @@ class MainThread {
     void see(Awaited& awaited, Figures& figures) {
         const std::lock_guard lock(awaited.mutex);
         if (!awaited.record) return;
-        const RecordList::Record now = files_.find(awaited.record->path);
+        const RecordList::Record now = files_.catalogue().find(awaited.record->path);
         if (!now || now->mtime_ns < awaited.record->mtime_ns) return;
         figures.lag = std::max<std::chrono::nanoseconds>(figures.lag, Clock::now() - awaited.since);
         awaited.record.reset();

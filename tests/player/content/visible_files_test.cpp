@@ -44,7 +44,7 @@ struct House {
         files->look(time, noon + time, [&] { return content; });
     }
 
-    FileVisibility why(const std::string& path) { return files->judge(*files->find(path)); }
+    FileVisibility why(const std::string& path) { return files->judge(*files->catalogue().find(path)); }
 
     bool may_show(const std::string& path) { return find_file(path) != nullptr; }
 
@@ -97,7 +97,7 @@ TEST_CASE("a notice is shown in place of everything, and whole") {
     CHECK(shown.path == "!NOW 20min fire/a.jpg");
     const Polygon whole{{0, 0}, {640, 0}, {640, 360}, {0, 360}};
     CHECK(shown.shots.front().region.polygon == whole);
-    CHECK(house.files->judge(*house.files->find("b.jpg")).visibility == Visibility::covered);
+    CHECK(house.files->judge(*house.files->catalogue().find("b.jpg")).visibility == Visibility::covered);
 }
 
 TEST_CASE("a notice whose only picture is taken off the wall, or has not come, covers nothing") {
@@ -134,10 +134,10 @@ TEST_CASE("while the displays are off every file tells so, and none is lost") {
     House house({photo("a.jpg")});
     house.open();
     house.look({.folders = {}, .files = {}, .open = {}, .is_off = true});
-    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::screens_off);
+    CHECK(house.files->judge(*house.files->catalogue().find("a.jpg")).visibility == Visibility::screens_off);
     CHECK(house.files->records().size() == 1);
     house.look({.folders = {{}}, .files = {"a.jpg"}, .open = {}});
-    CHECK(house.files->judge(*house.files->find("a.jpg")).visibility == Visibility::on_wall);
+    CHECK(house.files->judge(*house.files->catalogue().find("a.jpg")).visibility == Visibility::on_wall);
 }
 
 TEST_CASE("a file tells that another picture of its group hangs") {
@@ -259,7 +259,7 @@ TEST_CASE("a file that was dismissed is kept off until it changes; one that grow
 
     const auto change_film = [&](const MediaRecord& record) {
         house.catalogue.store(record);
-        for (int i = 0; i < 200 && *house.files->find("a.mp4") != record; ++i)
+        for (int i = 0; i < 200 && *house.files->catalogue().find("a.mp4") != record; ++i)
             house.loop.run_once(50ms);
     };
     change_film(film("a.mp4", 3));
@@ -284,7 +284,7 @@ TEST_CASE("a change of one record among many has one file judged, and a look at 
     CHECK(house.files->judgements() == before);
 
     house.catalogue.store(photo("p200", 9));
-    for (int i = 0; i < 200 && house.files->find("p200")->mtime_ns != 9; ++i)
+    for (int i = 0; i < 200 && house.files->catalogue().find("p200")->mtime_ns != 9; ++i)
         house.loop.run_once(50ms);
     CHECK(house.files->judgements() == before + 1);
     CHECK(house.find_file("p200")->mtime_ns == 9);

@@ -3,8 +3,10 @@
 #include "player/playback/sound/wall_sound.hpp"
 #include "player/playback/source_pool.hpp"
 #include "player/render/renderer.hpp"
+#include "player/scene/acts/followed_wall.hpp"
 #include "player/scene/show.hpp"
 #include "player/scene/show_controls.hpp"
+#include "player/scene/wall_cells.hpp"
 #include "player/stage/output_canvas.hpp"
 #include "player/stage/stage.hpp"
 #include "tests/player/playback/numbered_film.hpp"
@@ -13,6 +15,7 @@
 #include <doctest/doctest.h>
 
 #include <thread>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::player;
@@ -45,8 +48,8 @@ Settings one_film_at_a_time() {
 
 /// Two films that take turns, of which one is to be heard.
 struct Theatre {
-    explicit Theatre(const std::string& canvas = "") {
-        if (!canvas.empty()) settings.wall = {.role = WallRole::lead, .box = "here"};
+    explicit Theatre(const std::string& canvas = "", WallRole role = WallRole::lead) {
+        if (!canvas.empty() || role == WallRole::follow) settings.wall = {.role = role, .box = "here"};
         settings.output.canvas = canvas;
         if (!canvas.empty()) others->outputs = {{"there/DP-1", 160, 120, {}}};
         write_sounding_film(folder.path / "a.mp4");
@@ -89,9 +92,19 @@ struct Theatre {
     Settings settings = one_film_at_a_time();
     OffscreenDisplay display{{.screens = {{160, 120}}}, {}, 30};
     Renderer renderer{1, 1};
-    SourcePool sources{{.media = folder.path.string(), .store = {}}};
+    SourcePool sources{{.media = folder.path.string(), .store = folder.path.string()}};
     std::optional<Stage> stage;
 };
+
+/// The act of another box, whose wall shows the film that is to be heard.
+WallAct act_with_sound() {
+    MediaRecord record = record_of("sound b.mp4");
+    record.shots[0].stored = StoredShot{.file = record.path, .begin = 2s, .width = 64, .height = 48};
+    WallAct act{.name = {.run = 1, .generation = 1}, .canvas = {160, 120}};
+    act.shown = {{.shot = wall_shot(record, {.path = record.path}, 7, 0), .placement = {.scale = 2}}};
+    give_cells(act.shown, Canvas(act.canvas), act.cells);
+    return act;
+}
 
 }  // namespace
 
@@ -125,6 +138,24 @@ TEST_CASE("of several boxes with one wall the one that shows a film's middle let
     }
     CHECK(here > 5);
     CHECK(there > 5);
+}
+
+TEST_CASE("on a box that follows nothing is heard while the leader's wall is paused") {
+    Theatre theatre("", WallRole::follow);
+    FollowedWall& followed = *theatre.stage->wall().followed();
+    followed.set_clock(0s, true);
+    WallAct act = act_with_sound();
+    std::vector<std::size_t> heard;
+    int second = 0;
+    for (const bool is_paused : {false, true, false}) {
+        act.is_paused = is_paused;
+        followed.take(act);
+        ++act.name.generation;
+        for (const int end = second + 3; second < end; ++second)
+            theatre.show(std::chrono::seconds(second));
+        heard.push_back(theatre.stage->audible().size());
+    }
+    CHECK(heard == std::vector<std::size_t>{1, 0, 1});
 }
 
 TEST_CASE("nothing is heard of a wall that is paused, or that no screen shows") {
