@@ -80,7 +80,7 @@ def follow(box):
     assert "this box follows 'hall-1'" in said, said
     wait_until_up(box, FOLLOWS)
     assert box.sh("systemctl is-active vitrine-analyzer", fails=True) == "inactive", "a follower's own media rest"
-    told = wait_for_status(box, "'lobby'", "follows", "no connection to 'hall-1'")
+    told = wait_for_status(box, "'lobby'", "follows", "no connection to 'hall-1'", "cannot fetch files: rsync")
     assert "Lookup" not in told, "the name of the leader is not found"
 
 
