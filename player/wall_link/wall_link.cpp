@@ -49,6 +49,7 @@ WallLink::WallLink(EventLoop& loop, const Settings& settings)
     : settings_(settings),
       clock_(settings.wall.role),
       fetch_fault_(settings.wall.fetch_fault),
+      wanted_(std::filesystem::path(settings.state.directory) / "wanted"),
       others_(std::make_shared<OtherOutputs>()),
       talk_(make_talk(settings)) {
     if (!talk_) return;
@@ -161,6 +162,8 @@ void WallLink::speak(Show& show, std::chrono::nanoseconds now) {
     for (const WallMessage& message : talk_->speak(show, moment(now)))
         caller_->send(line_of(message));
     if (const std::string complaint = talk_->complaint(); !complaint.empty()) complain(complaint);
+    if (const FollowedWall* followed = show.followed(); followed != nullptr && wanted_.is_due(now))
+        wanted_.tell(followed->state().wanted, now);
 }
 
 std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) const {

@@ -9,6 +9,7 @@
 #include "player/stage/output_canvas.hpp"
 #include "player/wall_link/fetch_fault.hpp"
 #include "player/wall_link/shared_clock.hpp"
+#include "player/wall_link/wanted_files.hpp"
 
 #include <chrono>
 #include <memory>
@@ -81,6 +82,7 @@ class WallLink {
     const Settings& settings_;  // outlive this
     SharedClock clock_;
     FetchFault fetch_fault_;
+    WantedFiles wanted_;
     std::shared_ptr<OtherOutputs> others_;  // shared with the stage that reads it
     std::unique_ptr<BoxTalk> talk_;         // none: the wall is this box's alone
     std::vector<WallMessage> heard_;

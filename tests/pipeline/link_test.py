@@ -267,13 +267,39 @@ class TwoBoxes(unittest.TestCase):
             code = self.right.fetch().returncode
             return code, self.right.fetch_fault.read_text() if self.right.fetch_fault.exists() else ""
 
+        (self.right.state / "wanted").write_text("gone.mp4\nd.mp4\n")
         self.assertEqual(fetch("none", "a.mp4", 600), (0, ""))
         self.assertEqual(fetch("a.mp4", "b.mp4", 600), (0, ""), "the old film makes room")
-        self.assertEqual([file.name for file in (self.right.state / "store").iterdir()], ["b.mp4"])
+        self.assertEqual([file.name for file in (self.right.state / "store").glob("*.mp4")], ["b.mp4"])
         code, why = fetch("none", "c.mp4", 900)
         self.assertEqual(code, 11)
         self.assertRegex(why, r"^rsync: .*No space left on device.*\n$")
-        self.assertEqual(fetch("c.mp4", "d.mp4", 10), (0, ""))
+        self.assertEqual(fetch("none", "d.mp4", 10)[0], 11)
+        self.assertTrue((self.right.state / "store" / "d.mp4").exists(), "the wall waits for it, so that it comes first")
+        self.assertEqual(fetch("c.mp4", "e.mp4", 10), (0, ""))
+
+    def test_what_the_wall_wants_comes_between_the_turns_of_all_other_files(self):
+        share = start_share(self.left)
+        self.addCleanup(share.wait)
+        self.addCleanup(share.kill)
+        until("a share", lambda: self.right.fetch().returncode == 0)
+        for number in range(1, 5):
+            (self.left.state / "store" / f"{number}.mkv").write_text("film")
+        # The first two turns end before anything has come. Meanwhile the wall wants a file, and then another one.
+        turns = self.right.root / "turns"
+        bin = self.right.root / "bin"
+        bin.mkdir()
+        (bin / "timeout").write_text(f"""#!/bin/sh
+echo $1 $(cd {self.right.state}/store; ls [1-4].mkv) >>{turns}
+turn=$(wc -l <{turns})
+echo $((turn + 1)).mkv >{self.right.state}/wanted
+if [ $turn = 3 ]; then shift; exec "$@"; fi
+exit 124
+""")
+        (bin / "timeout").chmod(0o755)
+        self.assertEqual(self.right.fetch(PATH=f"{bin}:{os.environ['PATH']}").returncode, 0)
+        self.assertEqual(turns.read_text(), "6\n12 2.mkv\n24 2.mkv 3.mkv\n")
+        self.assertEqual(len(list((self.right.state / "store").glob("[1-4].mkv"))), 4)
 
     def clock_settings(self, box):
         """Debian's own settings of chronyd, which include ours; no pools, and no files of this machine."""

@@ -85,8 +85,8 @@ class Box:
     def wall(self, *words):
         return subprocess.run([WALL, *words], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
 
-    def fetch(self):
-        return subprocess.run([*self.inside, FETCH], text=True, capture_output=True, env=self.environment(), timeout=PATIENCE)
+    def fetch(self, **environment):
+        return subprocess.run([*self.inside, FETCH], text=True, capture_output=True, env={**self.environment(), **environment}, timeout=PATIENCE)
 
     def written(self, name):
         """A file that was written, with the paths of this test in place of the machine's."""

@@ -111,12 +111,12 @@ bool FollowedSources::are_there(const WallAct& act) const {
     return lacking(act).empty();
 }
 
-std::set<std::string> FollowedSources::lacking(const WallAct& act) const {
-    std::set<std::string> paths;
+std::vector<const PlacedShot*> FollowedSources::lacking(const WallAct& act) const {
+    std::vector<const PlacedShot*> shots;
     for (const WallAct* const wall : walls_of(act))
         for (const auto& [source, placed] : shots_of(*wall))
-            if (!is_ready(source)) paths.insert(placed->shot.key.path);
-    return paths;
+            if (!is_ready(source)) shots.push_back(placed);
+    return shots;
 }
 
 std::vector<SourceId> FollowedSources::retire_all_but(const std::set<SourceId>& kept) {

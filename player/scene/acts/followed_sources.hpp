@@ -56,8 +56,8 @@ class FollowedSources {
     /// True if all shots of a translated act have a picture.
     bool are_there(const WallAct& act) const;
 
-    /// Paths of the shots of a translated act that have no picture.
-    std::set<std::string> lacking(const WallAct& act) const;
+    /// The shots of a translated act that have no picture. Lent as long as the act.
+    std::vector<const PlacedShot*> lacking(const WallAct& act) const;
 
     /// Retires all other sources and returns them. @param kept  of translated acts
     std::vector<SourceId> retire_all_but(const std::set<SourceId>& kept);

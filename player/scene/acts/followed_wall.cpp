@@ -80,12 +80,14 @@ bool FollowedWall::is_between_acts() const {
 
 FollowedState FollowedWall::state() const {
     FollowedState state;
-    if (shown_) {
-        state.shown = shown_->name;
-        state.lacking = sources_.lacking(*shown_);
+    if (shown_) state.shown = shown_->name;
+    for (const auto* act : {&shown_, &waiting_, &prepared_}) {
+        if (!*act) continue;
+        for (const PlacedShot* placed : sources_.lacking(**act)) {
+            state.lacking.insert(placed->shot.key.path);
+            if (const auto& stored = placed->shot.shot.stored) state.wanted.insert(stored->file);
+        }
     }
-    for (const auto* act : {&waiting_, &prepared_})
-        if (*act) state.lacking.merge(sources_.lacking(**act));
     if (prepared_ && sources_.are_there(*prepared_)) state.prepared = prepared_->name;
     return state;
 }

@@ -23,6 +23,7 @@ struct FollowedState {
     std::optional<ActName> shown;        // the act that is drawn; none: none yet
     std::optional<ActName> prepared;     // the preparation whose shots are all there
     std::set<std::string> lacking = {};  // paths of shots that the box has not got, or not yet
+    std::set<std::string> wanted = {};   // the files of these shots in the store
 
     bool operator==(const FollowedState&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <set>
 #include <string>
 
 using namespace vitrine;
@@ -202,6 +203,18 @@ TEST_CASE("a box that has not got a shot shows the last act, says so, and comes 
     box.missing.clear();
     house.run(10s);
     CHECK(share_in_step(house.boxes[0], box, house.truth - 3s) >= 0.99);
+}
+
+TEST_CASE("a box that has not got a shot tells its file in the store until it has it") {
+    MediaRecord record = photo("a");
+    record.shots[0].stored = StoredShot{.file = store_id("a", 1, 2) + "/photo", .width = 64, .height = 36};
+    SharedHouse house({.seed = 4, .followers = 1, .records = {record}});
+    house.boxes[1].missing = {"a"};
+    house.run(3s);
+    CHECK(house.followed(1).state().wanted == std::set{record.shots[0].stored->file});
+    house.boxes[1].missing.clear();
+    house.run(15s);
+    CHECK(house.followed(1).state().wanted.empty());
 }
 
 TEST_CASE("a box whose screens were dark shows the last act until it has the shots of the newest") {
