@@ -648,7 +648,7 @@ CURES = [
     Cure("a follower whose disk was full stays so, and nobody says why", "link/wall/fetch",
          "    make_room && fetch_all", "    return $code", "pipeline.link", targets=("vitrine-link",), only="release"),
     Cure("a display whose folder has no files, and nobody tells of it", "player/stage/output_faults.cpp",
-         "    if (is_empty(files)) return {};\n", "    if (!is_empty(files)) return {};\n", "stage_test.output_faults_test"),
+         "    if (files.size() == 0) return {};\n", "    if (files.size() != 0) return {};\n", "stage_test.output_faults_test"),
     Cure("a misspelt display in the settings of a leader without displays", "player/stage/output_faults.cpp",
          "if (screens.empty() && others.outputs.empty()) return;", "if (screens.empty()) return;", "stage_test.output_faults_test"),
     Cure("the sound of a paused wall on a box that follows", "player/stage/stage.cpp",

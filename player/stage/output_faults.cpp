@@ -93,18 +93,14 @@ std::string folders_fault(const Settings& settings, std::span<Screen* const> scr
     return misnamed(names_in_folders(settings), present, "which has no folder, shows the whole media folder");
 }
 
-bool is_empty(const RecordList& files) {
-    return files.begin() == files.end();
-}
-
 /// A screen whose folder has no files, while others have some.
 std::string empty_folder(const Settings& settings, std::span<Screen* const> screens,
                          const RecordList& files) {
-    if (is_empty(files)) return {};
+    if (files.size() == 0) return {};
     const auto folders = output_folders_named(settings.output.folders).value();
     for (const Screen* screen : screens)
         if (const auto own = folders.find(screen->name());
-            own != folders.end() && is_empty(files.in_folder(own->second)))
+            own != folders.end() && files.in_folder(own->second).size() == 0)
             return fmt::format("'{}' shows nothing: its folder '{}' has no files", screen->name(),
                                own->second);
     return {};

@@ -96,6 +96,13 @@ class TwoBoxes(unittest.TestCase):
             until("a connection", player.is_connected)
         return players
 
+    def share(self):
+        """Lets the follower fetch, which it has done once then."""
+        share = start_share(self.left)
+        self.addCleanup(share.wait)
+        self.addCleanup(share.kill)
+        until("a share", lambda: self.right.fetch().returncode == 0)
+
     def publish(self, topic, payload, key=None, identity="lobby"):
         """A stranger, or a box that has gone wrong. @return  true: the broker took the message"""
         said = subprocess.run([*self.right.inside, "mosquitto_pub", "-h", LEADER, "-p", "8883", "--psk", key or self.left.key.read_text().strip(),
@@ -221,9 +228,6 @@ class TwoBoxes(unittest.TestCase):
             self.assertEqual(wanted.exists(), is_other, f"step {step}")
 
     def test_a_follower_fetches_catalogue_store_captions_and_tapestries_with_the_secret_alone(self):
-        share = start_share(self.left)
-        self.addCleanup(share.wait)
-        self.addCleanup(share.kill)
         (self.left.state / "store" / "a.mp4").write_bytes(b"clip" * 1000)
         (self.left.state / "catalogue" / "1.json").write_text("{}")
         (self.right.state / "catalogue" / "old.json").write_text("{}")
@@ -234,7 +238,7 @@ class TwoBoxes(unittest.TestCase):
                 (box.state / file).parent.mkdir(parents=True, exist_ok=True)
                 (box.state / file).write_text(box.name)
         os.utime(self.left.state / "store" / "a.mp4", (1000000000, 1000000000))
-        until("a share", lambda: self.right.fetch().returncode == 0)
+        self.share()
         self.assertEqual((self.right.state / "store" / "a.mp4").read_bytes(), b"clip" * 1000)
         self.assertEqual((self.right.state / "store" / "a.mp4").stat().st_mtime, 1000000000)
         self.assertEqual([p.name for p in (self.right.state / "catalogue").glob("*.json")], ["1.json"])
@@ -252,10 +256,7 @@ class TwoBoxes(unittest.TestCase):
         self.assertFalse((self.left.state / "store" / "b").exists())
 
     def test_a_follower_whose_disk_is_full_makes_room_and_tells_if_that_is_not_enough(self):
-        share = start_share(self.left)
-        self.addCleanup(share.wait)
-        self.addCleanup(share.kill)
-        until("a share", lambda: self.right.fetch().returncode == 0)
+        self.share()
         subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", self.right.state], check=True)
         self.addCleanup(subprocess.run, ["umount", self.right.state], check=True)
         store = self.left.state / "store"
@@ -279,25 +280,22 @@ class TwoBoxes(unittest.TestCase):
         self.assertEqual(fetch("c.mp4", "e.mp4", 10), (0, ""))
 
     def test_what_the_wall_wants_comes_between_the_turns_of_all_other_files(self):
-        share = start_share(self.left)
-        self.addCleanup(share.wait)
-        self.addCleanup(share.kill)
-        until("a share", lambda: self.right.fetch().returncode == 0)
+        self.share()
         for number in range(1, 5):
             (self.left.state / "store" / f"{number}.mkv").write_text("film")
         # The first two turns end before anything has come. Meanwhile the wall wants a file, and then another one.
         turns = self.right.root / "turns"
-        bin = self.right.root / "bin"
-        bin.mkdir()
-        (bin / "timeout").write_text(f"""#!/bin/sh
+        tools = self.right.root / "bin"
+        tools.mkdir()
+        (tools / "timeout").write_text(f"""#!/bin/sh
 echo $1 $(cd {self.right.state}/store; ls [1-4].mkv) >>{turns}
 turn=$(wc -l <{turns})
 echo $((turn + 1)).mkv >{self.right.state}/wanted
 if [ $turn = 3 ]; then shift; exec "$@"; fi
 exit 124
 """)
-        (bin / "timeout").chmod(0o755)
-        self.assertEqual(self.right.fetch(PATH=f"{bin}:{os.environ['PATH']}").returncode, 0)
+        (tools / "timeout").chmod(0o755)
+        self.assertEqual(self.right.fetch(PATH=f"{tools}:{os.environ['PATH']}").returncode, 0)
         self.assertEqual(turns.read_text(), "6\n12 2.mkv\n24 2.mkv 3.mkv\n")
         self.assertEqual(len(list((self.right.state / "store").glob("[1-4].mkv"))), 4)
 

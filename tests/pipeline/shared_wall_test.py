@@ -68,8 +68,9 @@ def shift(left, right, begin, count, most=None):
 
 
 def trail(left, right, begin, count, apart):
-    """How far from equal they are while a hand moves a shot, which one box shows up to HAND pictures after the other, as its machine is busy. @param
-    apart  by how many pictures they are apart without a hand"""
+    """How far from equal the films of two boxes are while a hand moves a shot: one box may show it up to HAND pictures after the other.
+
+    @param apart  by how many pictures they are apart without a hand"""
     shifts = range(apart - HAND, apart + HAND + 1)
     return statistics.fmean(min(difference(left[begin + k + by], right[begin + k]) for by in shifts) for k in range(0, count, 5))
 

@@ -1,4 +1,4 @@
-// What a box tells of files that it could not fetch.
+// A box tells why it could not fetch files.
 
 #include "player/wall_link/fetch_fault.hpp"
 #include "tests/temporary_directory.hpp"

@@ -1,4 +1,4 @@
-// What a box knows of the others by way of vitrine-link.
+// vitrine-link tells a box of the others.
 
 #include "base/settings/settings.hpp"
 #include "base/system/event_loop.hpp"
@@ -77,11 +77,13 @@ struct Hall {
 
 TEST_CASE("a box that is cut off counts no other as touched, and goes by its own hours") {
     Hall hall;
-    CHECK(hall.hears(
-        {.topic = {.kind = WallTopic::Kind::box, .box = "left"},
-         .payload = to_json(BoxNote{
-             .leads = true, .is_awake = true, .outputs = {{.name = "DP-1", .width = 16, .height = 9}}})},
-        [&] { return hall.others().outputs.size() == 1; }));
+    CHECK(hall.hears({.topic = {.kind = WallTopic::Kind::box, .box = "left"},
+                      .payload = to_json(BoxNote{.leads = true,
+                                                 .is_awake = true,
+                                                 .outputs = {{.name = "DP-1", .width = 16, .height = 9}},
+                                                 .fetch_fault = "rsync: no route"})},
+                     [&] { return hall.others().outputs.size() == 1; }));
+    CHECK(hall.link->report()->boxes.back().fetch_fault == "rsync: no route");
     CHECK_FALSE(hall.others().are_awake);  // the link has no connection yet
     CHECK(hall.hears_link(true));
     CHECK(hall.hears_link(false));

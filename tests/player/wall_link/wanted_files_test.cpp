@@ -1,4 +1,4 @@
-// The files that the fetching of a follower brings first.
+// A follower tells which files are fetched first.
 
 #include "base/system/atomic_file.hpp"
 #include "player/wall_link/wanted_files.hpp"
