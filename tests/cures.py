@@ -669,6 +669,8 @@ CURES = [
          "waits_for_wall || now < picture_kept_until_", "waits_for_wall", "stage_test.stages_test"),
     Cure("words of the wall that come after a restart of the analyzer alone", "analyzer/watch/watch_command.cpp",
          "        daemon.change_words(word_settings(settings));\n", "        (void)daemon;\n", "pipeline.watch", targets=("vitrine-analyzer",), only="release"),
+    Cure("two films that are heard at once after a box has joined", "player/scene/chosen_sound.cpp",
+         " && longest - shot.local <= together", "", "scene_test.chosen_sound_test"),
     Cure("proof of play that is empty on a leader without a screen", "player/stage/seen_files.cpp",
          "return stage.is_seen();", "return false;", "stage_test.seen_files_test"),
     Cure("boxes that keep the old wall after the leader has read its settings again", "player/player.cpp",

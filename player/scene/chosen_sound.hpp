@@ -25,11 +25,10 @@ struct AudibleShot {
     std::chrono::nanoseconds duration() const { return end - begin; }
 };
 
-/// Chooses the one film to be heard, because nobody understands two at once. Keeps the current film unless
-/// another one is at least twice as large (a visitor has tapped it); without a current film, chooses the
-/// largest.
-/// @param heard  the source that is heard at present
+/// Chooses the one film to be heard, because nobody understands two at once: the one that came first, of
+/// several that came together the largest. One that is less than half as large as another (which a visitor
+/// has tapped) is not heard. All boxes of a wall choose the same, whenever they have joined it.
 /// @return nullptr: no shot is given
-const AudibleShot* chosen_sound(std::span<const AudibleShot> shots, std::optional<SourceId> heard);
+const AudibleShot* chosen_sound(std::span<const AudibleShot> shots);
 
 }  // namespace vitrine::player

@@ -26,8 +26,7 @@ void WallSound::follow(std::span<const AudibleShot> shots, std::chrono::nanoseco
     std::erase_if(sound, [&](const AudibleShot& shot) {
         return shot.duration() <= 0ns || failed_.contains(shot.source) || !is_stored(shot);
     });
-    const AudibleShot* one = chosen_sound(sound, chosen_);
-    chosen_ = one ? std::optional(one->source) : std::nullopt;
+    const AudibleShot* one = chosen_sound(sound);
     if (one && one->is_elsewhere) one = nullptr;
     const auto origin = one ? moment - one->local : 0ns;
     if (now_ &&

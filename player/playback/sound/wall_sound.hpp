@@ -57,7 +57,6 @@ class WallSound {
     MediaPlaces places_;
     SoundSink make_sink_;
     std::optional<Playing> now_;
-    std::optional<SourceId> chosen_;  // the shot that is heard, here or on another box; none: silence
     std::set<SourceId> failed_;
     std::vector<std::unique_ptr<FilmSound>> ending_;
     std::string complaint_;       // the last complaint about the device

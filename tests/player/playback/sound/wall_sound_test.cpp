@@ -74,6 +74,7 @@ TEST_CASE("while another box lets a film be heard this one is silent, and does n
     write_sounding_film(hall.places.store + "/a.mp4", {.seconds = 2});
     write_sounding_film(hall.places.store + "/b.mp4", {.seconds = 2});
     AudibleShot one = shot(1, "a.mp4");
+    one.local = 4s;  // it came first
     one.is_elsewhere = true;
     CHECK(hall.comes_true({one, shot(2, "b.mp4", 900)}, [&, i = 0]() mutable { return ++i > 20; }));
     CHECK(hall.comes_true({one, shot(2, "b.mp4", 1200)}, [&, i = 0]() mutable { return ++i > 20; }));
