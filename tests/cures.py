@@ -669,6 +669,8 @@ CURES = [
          "waits_for_wall || now < picture_kept_until_", "waits_for_wall", "stage_test.stages_test"),
     Cure("words of the wall that come after a restart of the analyzer alone", "analyzer/watch/watch_command.cpp",
          "        daemon.change_words(word_settings(settings));\n", "        (void)daemon;\n", "pipeline.watch", targets=("vitrine-analyzer",), only="release"),
+    Cure("a tapped shot that goes back on the followers of a slow leader", "player/scene/acts/followed_lifted.cpp",
+         "patience = std::chrono::seconds(3);", "patience = std::chrono::seconds(1);", "acts_test.shared_wall_test"),
     Cure("two films that are heard at once after a box has joined", "player/scene/chosen_sound.cpp",
          " && longest - shot.local <= together", "", "scene_test.chosen_sound_test"),
     Cure("proof of play that is empty on a leader without a screen", "player/stage/seen_files.cpp",

@@ -6,8 +6,9 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr auto patience = std::chrono::seconds(1);            // with a leader that says no more
-constexpr auto tapestry_patience = std::chrono::seconds(10);  // the same
+// With a leader that says no more. A slow one draws, and tells of hands, once a second.
+constexpr auto patience = std::chrono::seconds(3);
+constexpr auto tapestry_patience = std::chrono::seconds(10);
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 namespace vitrine::player {
 
 /// Draws, on a box that follows, the shots that hands hold above the leader's wall and the film of a photo,
-/// and knows the tapestry that they have opened. Without news the shots go back after a second, and the wall
-/// comes back after ten.
+/// and knows the tapestry that they have opened. Without news the shots go back after three seconds, and the
+/// wall comes back after ten.
 class FollowedLifted {
   public:
     /// Sets the canvas of the act that is drawn from now on, whose parts this box knows.
