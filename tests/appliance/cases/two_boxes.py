@@ -112,7 +112,12 @@ def touch_the_follower(boxes):
         wait_for("a tapestry in each box", lambda box=box: box.sh("ls /var/lib/vitrine/tapestry/*/index.json", fails=True))
     film = place_of("magenta")
     panel.touch(film, *touched, "rest 0.1", film, *touched)
-    wait_for_both(boxes, "a tapestry that was opened on the follower", lambda box, picture: box.files_in(picture) == {"magenta"})
+
+    def is_tapestry(box, picture):
+        """The film above its strip, before the idle picture; a film that was tapped once fills the panel."""
+        return box.files_in(picture) == {"magenta"} and picture.share_of(COLOURS["magenta"]) < 0.6
+
+    wait_for_both(boxes, "a tapestry that was opened on the follower", is_tapestry)
     follower.sh("systemctl stop rig-panel")
     wait_for_both(boxes, "the wall once nobody touches the tapestry", lambda box, picture: not box.lacking(picture, SEEN))
 

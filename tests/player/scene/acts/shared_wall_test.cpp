@@ -391,6 +391,7 @@ TEST_CASE("the film of a tapped photo plays on all boxes in step") {
     }
     SUBCASE("and goes from boxes that hear no more of it") {
         house.cut(1);
+        house.run(2s);
     }
     house.run(1500ms);
     CHECK(follower.last.items.size() == shots);
