@@ -96,22 +96,22 @@ def touch_the_follower(boxes):
     """A visitor touches the follower: a photo is large on both boxes, then a film's tapestry is open on both."""
     leader, follower = boxes
     panel = Panel(follower)
-    touched = ["rest 0.1", "0 up"]
+    lifted = "0 up"  # at once: a box tells of a touch once a picture, and at one a second a tap that rests becomes a hold
 
     def place_of(name):
         return at(0, follower.wait_for_wall("the wall before a touch", files=SEEN).middle_of(COLOURS[name]))
 
     photo = place_of("red")
-    panel.touch(photo, *touched)
+    panel.touch(photo, lifted)
     wait_for_both(boxes, "a photo that was tapped on the follower", lambda _, picture: picture.share_of(COLOURS["red"]) > 0.6)
-    panel.touch(photo, *touched)
+    panel.touch(photo, lifted)
     wait_for_both(boxes, "the wall after the second tap", lambda box, picture: not box.lacking(picture, SEEN))
 
     leader.sh(f"sed -i '/^.tapestry/,$ s/^max_bytes = 0/max_bytes = 1000000000/' {EDITABLE}; systemctl restart vitrine-analyzer")
     for box in boxes:
         wait_for("a tapestry in each box", lambda box=box: box.sh("ls /var/lib/vitrine/tapestry/*/index.json", fails=True))
     film = place_of("magenta")
-    panel.touch(film, *touched, "rest 0.1", film, *touched)
+    panel.touch(film, lifted, film, lifted)
 
     def is_tapestry(box, picture):
         """The film above its strip, before the idle picture; a film that was tapped once fills the panel."""
