@@ -290,17 +290,20 @@ class TwoBoxes(unittest.TestCase):
         tools.mkdir()
         (tools / "rsync").write_text(f"""#!/bin/sh
 case "$*" in *--files-from*|*::[!s]*|*--delete*) exec {shutil.which("rsync")} "$@" ;; esac
-echo $(cd {self.right.state}/store; ls [1-4].mkv) >>{tries}
+echo $(cd {self.right.state}/store; ls [1-4].mkv 2>/dev/null) >>{tries}
 try=$(wc -l <{tries})
-[ $try = 3 ] && exec {shutil.which("rsync")} "$@"
+[ $try = 4 ] && exec {shutil.which("rsync")} "$@"
+[ $try = 3 ] && {{ echo "rsync: no route" >&2; exit 10; }}
 printf "gone.mkv\n$((try + 1)).mkv\n" >{self.right.state}/wanted
 trap 'kill $!; echo "rsync error: received SIGTERM" >&2; exit 20' TERM
 sleep {PATIENCE} &
 wait
 """)
         (tools / "rsync").chmod(0o755)
+        self.assertEqual(self.right.fetch(PATH=f"{tools}:{os.environ['PATH']}").returncode, 10)
+        self.assertEqual(self.right.fetch_fault.read_text(), "rsync: no route\n", "not that it was stopped for another file")
         self.assertEqual(self.right.fetch(PATH=f"{tools}:{os.environ['PATH']}").returncode, 0)
-        self.assertEqual(tries.read_text(), "\n2.mkv\n2.mkv 3.mkv\n")
+        self.assertEqual(tries.read_text(), "\n2.mkv\n2.mkv 3.mkv\n2.mkv 3.mkv\n")
         self.assertEqual(len(list((self.right.state / "store").glob("[1-4].mkv"))), 4)
 
     def clock_settings(self, box):
