@@ -15,6 +15,7 @@ struct Contact {
     int finger = 0;  // number among the fingers that touch at the same time
     Vec2 at;         // canvas px; not used by `up` and `cancel`
     std::chrono::nanoseconds time{0};
+    bool is_told = false;  // another box told it: nothing is known of the finger after its last contact
 
     bool operator==(const Contact&) const = default;
 };

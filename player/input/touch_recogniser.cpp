@@ -23,10 +23,12 @@ void TouchRecogniser::put_down(const Contact& contact, std::vector<Gesture>& ges
         state_ = State::pinching;
     }
     const Point point{contact.at, contact.time};
-    fingers_.emplace(
-        contact.finger,
-        Finger{
-            .from = contact.at, .at = contact.at, .since = contact.time, .rested = point, .trail = {point}});
+    fingers_.emplace(contact.finger, Finger{.from = contact.at,
+                                            .at = contact.at,
+                                            .since = contact.time,
+                                            .rested = point,
+                                            .trail = {point},
+                                            .is_told = contact.is_told});
     middle_ = middle();
     spread_ = spread();
 }
@@ -34,6 +36,7 @@ void TouchRecogniser::put_down(const Contact& contact, std::vector<Gesture>& ges
 void TouchRecogniser::move(const Contact& contact, std::vector<Gesture>& gestures) {
     const auto found = fingers_.find(contact.finger);
     if (found == fingers_.end()) return;
+    recognise_hold(contact.time, gestures);
     const Vec2 before = found->second.at;
     follow(found->second, contact);
     if (state_ == State::pinching) return pinch(gestures);
@@ -70,6 +73,7 @@ void TouchRecogniser::pinch(std::vector<Gesture>& gestures) {
 void TouchRecogniser::lift(const Contact& contact, std::vector<Gesture>& gestures) {
     const auto found = fingers_.find(contact.finger);
     if (found == fingers_.end()) return;
+    if (contact.kind == Contact::Kind::up) recognise_hold(contact.time, gestures);
     end(found->second, contact, gestures);
     fingers_.erase(found);
     if (fingers_.empty()) return;
@@ -106,14 +110,18 @@ void TouchRecogniser::end(const Finger& finger, const Contact& contact,
 }
 
 void TouchRecogniser::advance(std::chrono::nanoseconds now, std::vector<Gesture>& gestures) {
-    if (state_ == State::pressed && has_fingers() && now - fingers_.begin()->second.since >= rules_.hold) {
-        state_ = State::holding;
-        gestures.push_back(gesture(Gesture::Kind::hold, fingers_.begin()->second));
-    }
+    if (has_fingers() && !fingers_.begin()->second.is_told) recognise_hold(now, gestures);
     const auto rests = [&](const auto& entry) { return now - entry.second.rested.time >= rules_.rest; };
     for (auto found = std::ranges::find_if(fingers_, rests); found != fingers_.end();
          found = std::ranges::find_if(fingers_, rests))
         lift({.kind = Contact::Kind::cancel, .finger = found->first, .time = now}, gestures);
+}
+
+/// @param known  the finger touched until then
+void TouchRecogniser::recognise_hold(std::chrono::nanoseconds known, std::vector<Gesture>& gestures) {
+    if (state_ != State::pressed || known - fingers_.begin()->second.since < rules_.hold) return;
+    state_ = State::holding;
+    gestures.push_back(gesture(Gesture::Kind::hold, fingers_.begin()->second));
 }
 
 Gesture TouchRecogniser::gesture(Gesture::Kind kind, const Finger& finger) const {

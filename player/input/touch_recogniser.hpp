@@ -61,9 +61,11 @@ class TouchRecogniser {
         std::chrono::nanoseconds since{0};
         Point rested;  // the last place and time at which it had moved farther than the slop
         std::deque<Point> trail;
+        bool is_told = false;  // as in Contact
     };
 
     Gesture gesture(Gesture::Kind kind, const Finger& finger) const;
+    void recognise_hold(std::chrono::nanoseconds known, std::vector<Gesture>& gestures);
     void follow(Finger& finger, const Contact& contact) const;
     void drag(Finger& finger, Vec2 before, std::vector<Gesture>& gestures);
     void pinch(std::vector<Gesture>& gestures);

@@ -181,7 +181,7 @@ std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) co
 /// Touches the stage as other boxes were touched.
 void WallLink::touch(Stage& stage, std::chrono::nanoseconds now) {
     try {
-        for (const InputEvent& event : talk_->take_touches(now))
+        for (const InputEvent& event : talk_->take_touches(moment(now)))
             stage.handle_input(event);
     } catch (const std::runtime_error& fault) {
         complain(fault.what());

@@ -58,8 +58,8 @@ class BoxTalk {
     /// A sentence on what this box could not tell the others the last time. Empty: nothing.
     virtual std::string complaint() const { return {}; }
 
-    /// Touches on other boxes since the last call, as if they were made here. @param now  their time
-    virtual std::vector<InputEvent> take_touches(std::chrono::nanoseconds /*now*/) { return {}; }
+    /// Touches on other boxes since the last call, at this box's times.
+    virtual std::vector<InputEvent> take_touches(const BoxMoment& /*moment*/) { return {}; }
 
   protected:
     virtual void hear_more(const WallMessage& message) = 0;

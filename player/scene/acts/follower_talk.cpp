@@ -26,7 +26,7 @@ void FollowerTalk::direct(Show& show, const BoxMoment& moment) {
         followed->take_lifted(*lifted);
 }
 
-std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /*moment*/, BoxNote& note) {
+std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& moment, BoxNote& note) {
     FollowedWall* const followed = show.followed();
     if (followed == nullptr) return {};
     const FollowedState state = followed->state();
@@ -40,10 +40,10 @@ std::vector<WallMessage> FollowerTalk::speak_more(Show& show, const BoxMoment& /
                         .is_retained = true,
                         .payload = ready_to_json(*ready_)});
     }
-    if (const std::vector<InputEvent> touches = followed->touches().take(); !touches.empty())
+    if (const std::vector<InputEvent> touches = followed->touches().take(moment.now); !touches.empty())
         said.push_back({.topic = {.kind = Kind::touch, .box = box()},
                         .is_retained = false,
-                        .payload = touches_to_json(touches)});
+                        .payload = touches_to_json(touches, moment)});
     return said;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = WallTopic::Kind;
 
-constexpr std::size_t max_touches = 100;  // messages between two frames
+constexpr std::size_t max_touches = 1000;  // messages between two frames: 16 fingers for a second
 constexpr int fingers_of_box = 1000;
 constexpr auto lifted_pause = std::chrono::milliseconds(250);  // between two messages that say the same
 
@@ -85,13 +85,15 @@ void LeaderTalk::hear_more(const WallMessage& message) {
         touches_.emplace_back(box, message.payload);
 }
 
-std::vector<InputEvent> LeaderTalk::take_touches(std::chrono::nanoseconds now) {
+std::vector<InputEvent> LeaderTalk::take_touches(const BoxMoment& moment) {
     std::vector<InputEvent> all;
     for (const auto& [box, payload] : std::exchange(touches_, {})) {
         const auto number = std::distance(others().begin(), others().find(box));
-        for (InputEvent event : touches_from_json(payload, now)) {
-            if (auto* const contact = std::get_if<Contact>(&event))
+        for (InputEvent event : touches_from_json(payload, moment)) {
+            if (auto* const contact = std::get_if<Contact>(&event)) {
                 contact->finger += fingers_of_box * (static_cast<int>(number) + 1);
+                contact->is_told = true;
+            }
             all.push_back(event);
         }
     }

@@ -34,7 +34,7 @@ class LeaderTalk final : public BoxTalk {
 
     std::string complaint() const override;
 
-    std::vector<InputEvent> take_touches(std::chrono::nanoseconds now) override;
+    std::vector<InputEvent> take_touches(const BoxMoment& moment) override;
 
   private:
     /// The parts of the last act that the others were told.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "player/input/contact.hpp"
+#include "player/scene/acts/box_talk.hpp"
 
-#include <chrono>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,10 +11,12 @@
 namespace vitrine::player {
 
 /// The touches of visitors on a box that follows, for the leader: fingers and wheels, canvas px.
-std::string touches_to_json(std::span<const InputEvent> events);
+/// @param sent  the box that follows, now
+std::string touches_to_json(std::span<const InputEvent> events, const BoxMoment& sent);
 
-/// @param now  the time of the events
+/// The events at the times of the box that hears of them: by shared time, or as if they had been sent just
+/// now where the clocks of both boxes differ too much.
 /// @throws std::runtime_error with one sentence
-std::vector<InputEvent> touches_from_json(std::string_view text, std::chrono::nanoseconds now);
+std::vector<InputEvent> touches_from_json(std::string_view text, const BoxMoment& heard);
 
 }  // namespace vitrine::player

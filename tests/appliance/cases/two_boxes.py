@@ -8,8 +8,9 @@ import subprocess
 from pathlib import Path
 
 import image
-from appliance import MEDIA, Appliance
+from appliance import COLOURS, EDITABLE, MEDIA, Appliance
 from cases.boxes import FOLLOWS, LEADS, bring_daemons, wait_for_status, wait_until_up
+from cases.touch import Panel, at
 from machine import Machine, wait_for
 from rig import SNAPSHOT
 
@@ -84,6 +85,43 @@ def agree(boxes):
     assert re.search(rf"\^\* {re.escape(ADDRESSES['hall-1'])}", tracking), tracking
 
 
+def wait_for_both(boxes, what, is_right):
+    """Until the panels of both boxes show a picture that is right."""
+    for box in boxes:
+        wait_for(what, lambda box=box: is_right(box, box.machine.picture()))
+        box.look(what)
+
+
+def touch_the_follower(boxes):
+    """A visitor touches the follower: a photo is large on both boxes, then a film's tapestry is open on both."""
+    leader, follower = boxes
+    panel = Panel(follower)
+    tapped = ["rest 0.1", "0 up"]
+
+    def place_of(name):
+        return at(0, follower.wait_for_wall("the wall before a touch", files=SEEN).middle_of(COLOURS[name]))
+
+    photo = place_of("red")
+    panel.touch(photo, *tapped)
+    wait_for_both(boxes, "a photo that was tapped on the follower", lambda _, picture: picture.share_of(COLOURS["red"]) > 0.6)
+    panel.touch(photo, *tapped)
+    wait_for_both(boxes, "the wall after the second tap", lambda box, picture: not box.lacking(picture, SEEN))
+
+    leader.sh(f"sed -i '/^.tapestry/,$ s/^max_bytes = 0/max_bytes = 1000000000/' {EDITABLE}; systemctl restart vitrine-analyzer")
+    for box in boxes:
+        wait_for("a tapestry in each box", lambda box=box: box.sh("ls /var/lib/vitrine/tapestry/*/index.json", fails=True))
+    film = place_of("magenta")
+    panel.touch(film, *tapped, film, *tapped)
+
+    def is_tapestry(box, picture):
+        """The film above its strip, before the idle picture; a film that was tapped once fills the panel."""
+        return box.files_in(picture) == {"magenta"} and picture.share_of(COLOURS["magenta"]) < 0.6
+
+    wait_for_both(boxes, "a tapestry that was opened on the follower", is_tapestry)
+    follower.sh("systemctl stop rig-panel")
+    wait_for_both(boxes, "the wall once nobody touches the tapestry", lambda box, picture: not box.lacking(picture, SEEN))
+
+
 def lose_and_find_the_time(boxes):
     """The follower's chrony loses the time: all tell it, and the wall goes on by a clock of its own. Then it is found again."""
     follower = boxes[1]
@@ -138,6 +176,7 @@ def run(box):
         key = lead(box)
         follow(other, key)
         agree(boxes)
+        touch_the_follower(boxes)
         lose_and_find_the_time(boxes)
         cut_and_heal(boxes, card)
         agree(boxes)

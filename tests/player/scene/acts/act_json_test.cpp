@@ -393,13 +393,24 @@ TEST_CASE("changed tapestries are refused, or can be drawn at any time") {
     CHECK(drawn > 0);
 }
 
-TEST_CASE("touches travel as they were made") {
-    const std::vector<InputEvent> events{
-        Contact{.kind = Contact::Kind::move, .finger = 2, .at = {0.1, 700}, .time = 3s},
-        Wheel{.notches = -1.5, .at = {3, 4}, .time = 3s}, KeyPress{.key = Key::back, .time = 3s}};
-    CHECK(touches_from_json(touches_to_json(events), 3s) == events);
-    CHECK_THROWS_AS(touches_from_json(R"({"events":[{"kind":9,"finger":0,"at":[0,0]}]})", 3s),
-                    std::runtime_error);
-    CHECK_THROWS_AS(touches_from_json("7", 3s), std::runtime_error);
-    CHECK_THROWS_AS(touches_from_json(R"({"events":[{"key":99}]})", 3s), std::runtime_error);
+TEST_CASE("touches travel as they were made, with their times") {
+    const auto events = [](std::chrono::nanoseconds begin) {
+        return std::vector<InputEvent>{
+            Contact{.kind = Contact::Kind::move, .finger = 2, .at = {0.1, 700}, .time = begin},
+            Wheel{.notches = -1.5, .at = {3, 4}, .time = begin + 7ms},
+            KeyPress{.key = Key::back, .time = begin + 9ms}};
+    };
+    const std::string told = touches_to_json(events(3s), {.now = 3020ms, .epoch = 1000s});
+    CHECK(touches_from_json(told, {.now = 53'050ms, .epoch = 950s}) == events(53s));
+    CHECK(touches_from_json(told, {.now = 9s, .epoch = 2000s}) == events(8980ms));  // other clocks
+    const BoxMoment now{.now = 3s};
+    const auto first = [](const std::string& fields) {
+        return R"({"sent_ns":0,"events":[{)" + fields + "}]}";
+    };
+    CHECK(touches_from_json(first(R"("key":1,"age_ns":5)"), now).size() == 1);
+    for (const std::string& text :
+         {first(R"("kind":9,"finger":0,"at":[0,0],"age_ns":5)"), first(R"("key":99,"age_ns":5)"),
+          first(R"("key":1)"), first(R"("key":1,"age_ns":1e18)"), std::string(R"({"events":[]})"),
+          std::string("7")})
+        CHECK_THROWS_AS(touches_from_json(text, now), std::runtime_error);
 }

@@ -548,12 +548,14 @@ TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some st
 
 TEST_CASE("a touch on a box that follows moves the wall of all") {
     SharedHouse house = resting_house();
-    house.followed(1).touches().note(Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}});
+    house.followed(1).touches().note(Contact{
+        .kind = Contact::Kind::down, .finger = 0, .at = {200, 300}, .time = house.boxes[1].time->now()});
     house.run(100ms);
-    const std::vector<InputEvent> touches = house.boxes[0].talk->take_touches(1s);
-    REQUIRE(touches.size() == 1);
+    const std::vector<InputEvent> touches = house.boxes[0].talk->take_touches(
+        {.now = house.boxes[0].time->now(), .epoch = house.boxes[0].time->epoch()});
+    REQUIRE(touches.size() > 1);  // the finger rests after it
     const auto& contact = std::get<Contact>(touches[0]);
     CHECK(contact.at == Vec2{200, 300});
     CHECK(contact.finger >= 1000);
-    CHECK(contact.time == 1s);
+    CHECK(contact.is_told);
 }
