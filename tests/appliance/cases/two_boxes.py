@@ -86,9 +86,15 @@ def agree(boxes):
 
 
 def wait_for_both(boxes, what, is_right):
-    """Until the panels of both boxes show a picture that is right."""
+    """Until the panel of each box has shown a picture that is right; they are looked at in turn."""
+    missing = list(boxes)
+
+    def have_shown():
+        missing[:] = [box for box in missing if not is_right(box, box.machine.picture())]
+        return not missing
+
+    wait_for(what, have_shown)
     for box in boxes:
-        wait_for(what, lambda box=box: is_right(box, box.machine.picture()))
         box.look(what)
 
 
