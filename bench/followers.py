@@ -5,7 +5,7 @@
 
 Two players play the same folder off screen at the same time: one alone, one that leads. FOLLOWERS boxes (16) answer the leader over
 the socket where vitrine-link would be: each tells of itself once a second and is ready for whatever is prepared. The CPU of both is
-compared over SECONDS (60). Then a real player joins as a follower, three times. Nothing here passes or fails.
+compared over SECONDS (60). Then a real player joins as a follower, three times. Nothing here passes or fails. The build needs release_tests.
 """
 import json
 import os
@@ -20,6 +20,7 @@ from pathlib import Path
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 FOLLOWERS = int(sys.argv[2]) if len(sys.argv) > 2 else 16
+KEPT = {**os.environ, "LD_PRELOAD": str(BUILD / "tests" / "pipeline" / "libkept_clock.so")}  # a clock that is kept right, as chrony does
 SECONDS = int(sys.argv[3]) if len(sys.argv) > 3 else 60
 WARM_UP = 20  # seconds
 TICKS = os.sysconf("SC_CLK_TCK")
@@ -112,7 +113,7 @@ def seconds_to_join(home, options, act):
     link = Link(path)
     began = time.monotonic()
     player = subprocess.Popen([PLAYER, *options, "--wall.role", "follow", "--wall.box", "late", "--wall.socket", path],
-                              stderr=subprocess.DEVNULL)
+                              stderr=subprocess.DEVNULL, env=KEPT)
     try:
         link.meet()
         met = time.monotonic()
@@ -136,7 +137,7 @@ def main():
         options = [*folders, "--pace", "realtime", "--screen", "offscreen:1280x720", "--layout.slots", "6", "--show.dwell_seconds", "4"]
         link = LeadersLink(home / "leader.sock")
         threading.Thread(target=link.serve, daemon=True).start()
-        players = [subprocess.Popen([PLAYER, *options, *more], stderr=subprocess.DEVNULL)
+        players = [subprocess.Popen([PLAYER, *options, *more], stderr=subprocess.DEVNULL, env=KEPT)
                    for more in ([], ["--wall.role", "lead", "--wall.box", "lead", "--wall.socket", home / "leader.sock"])]
         try:
             time.sleep(WARM_UP)
