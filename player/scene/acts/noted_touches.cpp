@@ -10,7 +10,8 @@ namespace vitrine::player {
 
 namespace {
 
-constexpr std::size_t max_touches = 200;  // between two calls
+constexpr std::size_t max_moves = 200;  // between two calls; then only other touches are noted
+constexpr std::size_t max_touches = 2 * max_moves;
 constexpr auto move_pause = std::chrono::milliseconds(40);
 constexpr auto longest_rest = std::chrono::seconds(60);  // what rests longer is no finger
 
@@ -26,11 +27,11 @@ bool has_contact_of(std::span<const InputEvent> events, int finger) {
 void NotedTouches::note(const InputEvent& event) {
     const auto* const contact = std::get_if<Contact>(&event);
     auto* const last = touches_.empty() ? nullptr : std::get_if<Contact>(&touches_.back());
-    if (contact != nullptr && last != nullptr && contact->kind == Contact::Kind::move &&
-        last->kind == Contact::Kind::move && last->finger == contact->finger &&
+    const bool is_move = contact != nullptr && contact->kind == Contact::Kind::move;
+    if (is_move && last != nullptr && last->kind == Contact::Kind::move && last->finger == contact->finger &&
         last->time / move_pause == contact->time / move_pause)
         *last = *contact;
-    else if (touches_.size() < max_touches)
+    else if (touches_.size() < (is_move ? max_moves : max_touches))
         touches_.push_back(event);
     if (contact != nullptr) follow(*contact);
 }

@@ -150,3 +150,17 @@ TEST_CASE("a finger that rests is told for a minute, and one that moves or was l
     CHECK(touches.take(63s).size() == 1);
     CHECK(touches.take(64s).empty());
 }
+
+TEST_CASE("the end of a finger is told, however much it has moved since the last frame") {
+    NotedTouches touches;
+    touches.note(contact(Contact::Kind::down, 1s));
+    for (int k = 1; k <= 1000; ++k)
+        touches.note(contact(Contact::Kind::move, 1s + k * 40ms, {100.0 + k, 100}));
+    touches.note(contact(Contact::Kind::up, 42s));
+    const std::vector<InputEvent> told = touches.take(42s);
+    CHECK(told.size() == 201);
+    CHECK(std::get<Contact>(told.back()).kind == Contact::Kind::up);
+    for (int k = 0; k < 2000; ++k)
+        touches.note(KeyPress{.time = 43s});
+    CHECK(touches.take(44s).size() == 400);
+}
