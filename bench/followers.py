@@ -5,7 +5,9 @@
 
 Two players play the same folder off screen at the same time: one alone, one that leads. FOLLOWERS boxes (16) answer the leader over
 the socket where vitrine-link would be: each tells of itself once a second and is ready for whatever is prepared. The CPU of both is
-compared over SECONDS (60). Then a real player joins as a follower, three times. Nothing here passes or fails. The build needs release_tests.
+compared over SECONDS (60). Then a real player joins as a follower, three times. Nothing here passes or fails.
+
+Build the target release_tests before: it makes the clock that the players use.
 """
 import json
 import os
@@ -20,7 +22,7 @@ from pathlib import Path
 BUILD = Path(sys.argv[1]).resolve()
 ANALYZER, PLAYER = BUILD / "analyzer" / "vitrine-analyzer", BUILD / "player" / "vitrine-player"
 FOLLOWERS = int(sys.argv[2]) if len(sys.argv) > 2 else 16
-KEPT = {**os.environ, "LD_PRELOAD": str(BUILD / "tests" / "pipeline" / "libkept_clock.so")}  # a clock that is kept right, as chrony does
+KEPT = {**os.environ, "LD_PRELOAD": str(BUILD / "tests" / "pipeline" / "libkept_clock.so")}  # the players take their clock for one that chrony keeps right
 SECONDS = int(sys.argv[3]) if len(sys.argv) > 3 else 60
 WARM_UP = 20  # seconds
 TICKS = os.sysconf("SC_CLK_TCK")

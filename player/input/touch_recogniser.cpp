@@ -117,7 +117,7 @@ void TouchRecogniser::advance(std::chrono::nanoseconds now, std::vector<Gesture>
         lift({.kind = Contact::Kind::cancel, .finger = found->first, .time = now}, gestures);
 }
 
-/// @param known  the finger touched until then
+/// Turns a press into a hold once it has lasted long enough. @param known  the finger still touched then
 void TouchRecogniser::recognise_hold(std::chrono::nanoseconds known, std::vector<Gesture>& gestures) {
     if (state_ != State::pressed || known - fingers_.begin()->second.since < rules_.hold) return;
     state_ = State::holding;

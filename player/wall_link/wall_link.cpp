@@ -137,8 +137,9 @@ void WallLink::direct(Stages& stages, std::span<Screen* const> screens, std::chr
     follow_others();
     if (settings_.wall.role == WallRole::follow) fetch_fault_.look(now);
     if (waits) return;
-    talk_->direct(stages.first().wall(), moment(now));
-    touch(stages.first(), now);
+    const BoxMoment here = moment(now);
+    talk_->direct(stages.first().wall(), here);
+    touch(stages.first(), here);
 }
 
 /// Takes the outputs of the boxes that are there, the leader's guides, and if one was touched. Without the
@@ -179,9 +180,9 @@ std::vector<BoxOutput> WallLink::outputs_of(std::span<Screen* const> screens) co
 }
 
 /// Touches the stage as other boxes were touched.
-void WallLink::touch(Stage& stage, std::chrono::nanoseconds now) {
+void WallLink::touch(Stage& stage, const BoxMoment& here) {
     try {
-        for (const InputEvent& event : talk_->take_touches(moment(now)))
+        for (const InputEvent& event : talk_->take_touches(here))
             stage.handle_input(event);
     } catch (const std::runtime_error& fault) {
         complain(fault.what());

@@ -75,7 +75,7 @@ class WallLink {
     void hear(const std::string& line);
     void complain(const std::string& why);
     void follow_others();
-    void touch(Stage& stage, std::chrono::nanoseconds now);
+    void touch(Stage& stage, const BoxMoment& here);
     std::vector<BoxOutput> outputs_of(std::span<Screen* const> screens) const;
     BoxMoment moment(std::chrono::nanoseconds now) const;
 

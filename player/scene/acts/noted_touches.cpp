@@ -1,5 +1,7 @@
 #include "player/scene/acts/noted_touches.hpp"
 
+#include "player/input/touch_recogniser.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -12,8 +14,7 @@ namespace {
 
 constexpr std::size_t max_moves = 200;  // between two calls; then only other touches are noted
 constexpr std::size_t max_touches = 2 * max_moves;
-constexpr auto move_pause = std::chrono::milliseconds(40);
-constexpr auto longest_rest = std::chrono::seconds(60);  // what rests longer is no finger
+constexpr auto move_pause = std::chrono::milliseconds(40);  // of a finger's moves in it, the last is told
 
 bool has_contact_of(std::span<const InputEvent> events, int finger) {
     return std::ranges::any_of(events, [finger](const InputEvent& event) {
@@ -46,7 +47,7 @@ void NotedTouches::follow(const Contact& contact) {
 std::vector<InputEvent> NotedTouches::take(std::chrono::nanoseconds now) {
     std::vector<InputEvent> touches = std::exchange(touches_, {});
     for (const auto& [finger, last] : fingers_) {
-        const bool rests = now > last.time && now - last.time <= longest_rest;
+        const bool rests = now > last.time && now - last.time <= GestureRules{}.rest;
         if (!rests || has_contact_of(touches, finger)) continue;
         touches.emplace_back(
             Contact{.kind = Contact::Kind::move, .finger = finger, .at = last.at, .time = now});

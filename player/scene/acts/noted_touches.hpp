@@ -9,8 +9,8 @@
 namespace vitrine::player {
 
 /// A visitor's touches on a box that follows, until the leader is told. Of a finger's moves within 40 ms only
-/// the last counts. A finger that rests is told again and again, as a move to the same place: the leader
-/// cannot know else that it was not lifted. Canvas px.
+/// the last counts. A finger that rests is told again and again, as a move to the same place. Otherwise
+/// the leader could not know that it was not lifted. Canvas px.
 class NotedTouches {
   public:
     void note(const InputEvent& event);

@@ -548,14 +548,18 @@ TEST_CASE("captions have the same rooms on all boxes, beside bezels, and some st
 
 TEST_CASE("a touch on a box that follows moves the wall of all") {
     SharedHouse house = resting_house();
-    house.followed(1).touches().note(Contact{
-        .kind = Contact::Kind::down, .finger = 0, .at = {200, 300}, .time = house.boxes[1].time->now()});
+    const WallClock& leader = *house.boxes[0].time;
+    const WallClock& follower = *house.boxes[1].time;
+    const auto touched = follower.epoch() + follower.now();
+    house.followed(1).touches().note(
+        Contact{.kind = Contact::Kind::down, .finger = 0, .at = {200, 300}, .time = follower.now()});
     house.run(100ms);
-    const std::vector<InputEvent> touches = house.boxes[0].talk->take_touches(
-        {.now = house.boxes[0].time->now(), .epoch = house.boxes[0].time->epoch()});
+    const std::vector<InputEvent> touches =
+        house.boxes[0].talk->take_touches({.now = leader.now(), .epoch = leader.epoch()});
     REQUIRE(touches.size() > 1);  // the finger rests after it
     const auto& contact = std::get<Contact>(touches[0]);
     CHECK(contact.at == Vec2{200, 300});
     CHECK(contact.finger >= 1000);
     CHECK(contact.is_told);
+    CHECK(leader.epoch() + contact.time == touched);
 }

@@ -20,7 +20,7 @@ using Ns = std::chrono::nanoseconds;
 
 constexpr Ns noon = 1'800'000'000s;  // shared time when both boxes start
 
-/// How touches on a follower come to the leader. All times but `off` count from noon.
+/// Describes two boxes and the line between them: a follower tells its leader of touches.
 struct Way {
     Ns frame = 40ms;      // of the follower
     Ns led_frame = 40ms;  // of the leader
