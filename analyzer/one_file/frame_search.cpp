@@ -52,7 +52,7 @@ Sample FrameSearch::search(const FramePair& pair, const FilmFrame& frame, int co
     }
     Sample sample = sample_of(pair, settings_, last_faces_, stage_.get());
     if (network_) sample.subject = subject_of(pair);
-    if (keeps_glances_) keep_glance(sample, pair, coarse_side);
+    if (keeps_glances_) keep_glance(sample, pair);
     sample.time = frame.time;
     sample.faces = last_faces_;
     sample.faces_time = faces_time_;

@@ -9,33 +9,27 @@ namespace vitrine::analyzer {
 namespace {
 
 constexpr std::size_t max_model = std::size_t{1} << 30U;  // bytes; u2net has 176 MB
+constexpr int student_side = 224;                         // px, of the larger look of the student
 
 }  // namespace
 
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side) {
-    const std::string model = read_file(file, max_model);
-    const std::string smaller = with_input_side(model, side);
-    if (smaller == model) return nullptr;
-    return std::make_unique<SaliencyNetwork>(file, smaller, side);
+    return std::make_unique<SaliencyNetwork>(file, read_file(file, max_model), side);
 }
 
 std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings) {
-    const std::string& model = settings.saliency_model;
-    return settings.is_student ? std::make_unique<SaliencyNetwork>(model, coarse_side)
-                               : open_network(model, coarse_side);
+    auto network = open_network(settings.saliency_model, coarse_side);
+    return settings.is_student || network->is_scalable() ? std::move(network) : nullptr;
 }
 
 std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings) {
-    return std::make_unique<SaliencyNetwork>(settings.spare_model, coarse_side);
+    return open_network(settings.spare_model, coarse_side);
 }
 
-SubjectNetwork::SubjectNetwork(const std::string& file)
-    : SubjectNetwork(std::make_unique<SaliencyNetwork>(file)) {
-    if (auto coarse = open_network(file, coarse_side)) looks_.push_back(std::move(coarse));
-}
-
-SubjectNetwork::SubjectNetwork(std::unique_ptr<SaliencyNetwork> network) {
-    looks_.push_back(std::move(network));
+SubjectNetwork::SubjectNetwork(const std::string& file, bool is_student) {
+    looks_.push_back(open_network(file, is_student ? coarse_side : full_side));
+    if (looks_.front()->is_scalable())
+        looks_.push_back(open_network(file, is_student ? student_side : coarse_side));
 }
 
 SaliencyMap SubjectNetwork::find(const FramePair& pair) {
@@ -47,8 +41,8 @@ SaliencyMap SubjectNetwork::find(const FramePair& pair) {
 
 std::unique_ptr<SubjectNetwork> photo_network(const AnalysisSettings& settings) {
     if (settings.saliency_model.empty()) return nullptr;
-    if (settings.is_student) return std::make_unique<SubjectNetwork>(quick_network(settings));
-    return settings.looks_at_photos ? std::make_unique<SubjectNetwork>(settings.saliency_model) : nullptr;
+    if (!settings.is_student && !settings.looks_at_photos) return nullptr;
+    return std::make_unique<SubjectNetwork>(settings.saliency_model, settings.is_student);
 }
 
 }  // namespace vitrine::analyzer

@@ -10,16 +10,13 @@
 
 namespace vitrine::analyzer {
 
-constexpr int coarse_side = 160;  // px, of the input of a quick look, and of the student's
-
-/// A network for pictures of a smaller side, with the weights of the file.
-/// @return null where the model's input is not one of full_side
-/// @throws std::runtime_error if it cannot be read
+/// @param side  px, as in look_size()
+/// @throws std::runtime_error if the model of the file cannot be read
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side);
 
 /// The network of the settings, which name one, for quick looks: the student, or the large one with a smaller
 /// input.
-/// @return null like open_network()
+/// @return null where the model takes no smaller pictures
 /// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings);
 
@@ -30,15 +27,12 @@ std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings)
 /// The networks as photos need them.
 class SubjectNetwork {
   public:
-    /// The large network looks at the picture as a whole and at a small one. The large look sees small things
-    /// and outlines sharply; the small one takes in things that fill the picture. The subject is the mean of
-    /// both, so that it is doubtful where they differ.
+    /// The network looks at a large picture and at a small one. The large look sees small things and outlines
+    /// sharply; the small one takes in things that fill the picture. The subject is the mean of both, so that
+    /// it is doubtful where they differ. A model that takes one size only looks once.
     /// @param file  ONNX
     /// @throws std::runtime_error if it cannot be read
-    explicit SubjectNetwork(const std::string& file);
-
-    /// One network looks once.
-    explicit SubjectNetwork(std::unique_ptr<SaliencyNetwork> network);
+    SubjectNetwork(const std::string& file, bool is_student);
 
     /// @return in px of the maps
     /// @throws std::runtime_error like SaliencyNetwork::map()

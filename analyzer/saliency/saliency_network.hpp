@@ -4,46 +4,53 @@
 
 #include <opencv2/dnn.hpp>
 
-#include <span>
 #include <string>
 
 namespace vitrine::analyzer {
 
-constexpr int full_side = 320;  // px, of the square input of U2-Net's models
+constexpr int full_side = 320;    // px, of the square input that the files of U2-Net's models declare
+constexpr int coarse_side = 160;  // px, of a quick look, and of the square input that the student declares
 
-/// An ONNX model with the input of SaliencyNetwork becomes one for smaller pictures, with the same weights.
-/// It takes time by the square of the side. Another model, whose input is not told so, stays as it is.
-/// @param model  the bytes of the file
-/// @param side   px, a multiple of 32, from 128 to full_side
-std::string with_input_side(std::string model, int side);
+/// The input of a network for a picture: it has the picture's shape, in steps of 32 px, which the stages of
+/// U2-Net need, and about as many px as a square of this side. In a square, things of a wide picture would be
+/// narrow.
+/// @param picture  not empty
+/// @param side     px
+cv::Size look_size(cv::Size picture, int side);
 
-/// A neural network that finds the subject of a picture: one square input of RGB with the means and
-/// deviations of ImageNet, whose first output is one map. U2-Net and its small form are such.
+/// A neural network that finds the subject of a picture: one input of RGB with the means and deviations of
+/// ImageNet, whose first output is one map. U2-Net, its small form and its student are such.
 class SaliencyNetwork {
   public:
-    /// @param file  ONNX
-    /// @param side  px, of its input
-    /// @throws std::runtime_error if it cannot be read
-    explicit SaliencyNetwork(const std::string& file, int side = full_side);
-
     /// @param file   name of the model, for errors
-    /// @param model  ONNX, by with_input_side()
-    /// @param side   px, of its input
-    /// @throws std::runtime_error if it cannot be read
-    SaliencyNetwork(std::string file, std::span<const char> model, int side);
+    /// @param model  ONNX, whose input is declared as a square of full_side or coarse_side. Another model
+    ///               takes squares of this side only
+    /// @param side   px, as in look_size(); a look takes time by its square
+    SaliencyNetwork(std::string file, std::string model, int side = full_side);
 
-    /// U2-Net's small form takes about a second of processor time at the full side, its student .03 s.
+    /// True if the network takes pictures of other sizes than the declared one.
+    bool is_scalable() const { return declared_ > 0; }
+
+    /// U2-Net's small form takes about a second of processor time at the full side, its student .03 s at the
+    /// coarse one. The first look, and each at a picture of another shape than the one before, also prepares
+    /// the model.
     /// @param bgr  CV_8UC3, not empty
     /// @return     for each pixel how likely it is the subject's, in [0, 1], of the input's size; stretched
     /// to
     ///             that range unless it is nearly the same everywhere
-    /// @throws std::runtime_error if the network does not take such a picture or gives no map
+    /// @throws std::runtime_error if OpenCV cannot use the model, it does not take such a picture or gives no
+    ///                            map
     SaliencyMap map(const cv::Mat& bgr);
 
   private:
+    void prepare(cv::Size input);
+
     std::string file_;
-    cv::dnn::Net net_;
+    std::string model_;
     int side_ = full_side;
+    int declared_ = 0;  // px, side of the declared square; 0: none that is known
+    cv::dnn::Net net_;
+    cv::Size input_;
     std::string output_;  // name of the first output
 };
 

@@ -217,9 +217,9 @@ SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair) {
     return placed_map(network.map(pair.frame(active)), map_part(active, size), map_size(size));
 }
 
-void keep_glance(Sample& sample, const FramePair& pair, int side) {
+void keep_glance(Sample& sample, const FramePair& pair) {
     const cv::Rect active = seen_part(pair.active, pair.frame.size());
-    sample.glance = resized(pair.frame(active), {side, side}).clone();
+    sample.glance = resized(pair.frame(active), look_size(active.size(), coarse_side)).clone();
     sample.seen = map_part(active, pair.frame.size());
 }
 

@@ -60,8 +60,8 @@ Sample sample_of(const FramePair& pair, const AnalysisSettings& settings, std::s
 /// @throws std::runtime_error like SaliencyNetwork::map()
 SaliencyMap find_subject(SaliencyNetwork& network, const FramePair& pair);
 
-/// Keeps what subject_in() needs of a frame's picture within its bars, in the size of a network's input.
-void keep_glance(Sample& sample, const FramePair& pair, int side);
+/// Keeps what subject_in() needs of a frame's picture within its bars, in the size of a quick look.
+void keep_glance(Sample& sample, const FramePair& pair);
 
 /// The subject of a sample that was kept so, in px of the maps.
 /// @pre sample.glance is not empty

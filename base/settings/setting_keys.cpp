@@ -178,11 +178,13 @@ constexpr auto keys = std::to_array<SettingKey>({
      "and faces only."},
     {"analyzer.saliency_model",
      text<&S::analyzer, &S::Analyzer::saliency_model>("a path, or nothing", is_any), SettingEffect::analyzer,
-     "The ONNX file of that network. It takes one picture of 320 x 320 and its first output is one map, as "
-     "U2-Net's is. The default comes with the analyzer. Empty, or if the file is missing: the plain method."},
+     "The ONNX file of that network. It declares one input of 320 x 320 and its first output is one map, as "
+     "U2-Net's is. Each picture is shown to it in the picture's own shape. The default comes with the "
+     "analyzer. Empty, or if the file is missing: the plain method."},
     {"analyzer.student_model", text<&S::analyzer, &S::Analyzer::student_model>("a path, or nothing", is_any),
      SettingEffect::analyzer,
-     "The ONNX file of the small network. It takes one picture of 160 x 160 and its first output is one map. "
+     "The ONNX file of the small network. It declares one input of 160 x 160 and its first output is one "
+     "map. "
      "With `analyzer.saliency = \"network\"` it looks at those shots of films for which the large network "
      "would take too long. The default comes with the analyzer. Empty, or if the file is missing: the plain "
      "method, also for those shots."},

@@ -58,8 +58,8 @@ Polygon region_of(const MaskedPhoto& photo, const SaliencyMap& subject) {
 
 /// The networks that look at photographs.
 struct Networks {
-    SubjectNetwork network;
-    SubjectNetwork student;
+    std::unique_ptr<SubjectNetwork> network;
+    std::unique_ptr<SubjectNetwork> student;
 };
 
 /// The regions of a photograph: plain, with the network, with its student, and a box of the second one's
@@ -110,8 +110,8 @@ MaskedPhoto read_photo(const fs::path& file, FaceDetector& detector, Networks& n
     const std::vector<Face> faces = find_faces(detector, photo.picture, settings.only_prominent_faces);
     photo.plain = sample_of({photo.picture, {}, 1}, settings, faces);
     photo.plain.faces = faces;
-    photo.subject = networks.network.find({photo.picture, {}, 1});
-    photo.student = networks.student.find({photo.picture, {}, 1});
+    photo.subject = networks.network->find({photo.picture, {}, 1});
+    photo.student = networks.student->find({photo.picture, {}, 1});
     return photo;
 }
 
@@ -136,9 +136,9 @@ void masks_table(const TableInput& input) {
         return;
     }
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
-    Networks networks{.network = SubjectNetwork(input.saliency_model),
-                      .student = SubjectNetwork(
-                          quick_network({.saliency_model = input.student_model, .is_student = true}))};
+    Networks networks{.network =
+                          photo_network({.saliency_model = input.saliency_model, .looks_at_photos = true}),
+                      .student = photo_network({.saliency_model = input.student_model, .is_student = true})};
     MaskRows rows;
     for (const char* group : {"pet", "cat", "cats"}) {
         const std::vector<fs::path> files = photos_in(input.masks / group);

@@ -180,7 +180,8 @@ void costs(const fs::path& folder, FaceDetector& faces) {
 void subjects_table(const TableInput& input) {
     const auto faces = face_detector(input.face_model, AnalysisSettings{}.face_cascade);
     std::unique_ptr<SubjectNetwork> network;
-    if (!input.saliency_model.empty()) network = std::make_unique<SubjectNetwork>(input.saliency_model);
+    if (!input.saliency_model.empty())
+        network = photo_network({.saliency_model = input.saliency_model, .looks_at_photos = true});
     const auto student = photo_network({.saliency_model = input.student_model, .is_student = true});
     photographs(input, *faces, network.get(), student.get());
     costs(input.media / "saliency" / "davis_car-shadow", *faces);

@@ -4,6 +4,7 @@
 
 #include "analyzer/explain/canvas.hpp"
 #include "analyzer/film/frame_reader.hpp"
+#include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/saliency/shot_region.hpp"
 #include "bench/analysis/tables.hpp"
@@ -157,7 +158,7 @@ Written lines_at_edges(const cv::Mat& photo, cv::RNG& random) {
 /// The detectors that find a photo's region.
 struct Finders {
     std::unique_ptr<FaceDetector> faces;
-    SaliencyNetwork network;
+    std::unique_ptr<SaliencyNetwork> network;
     LineDetector lines;
 };
 
@@ -180,7 +181,7 @@ Regions regions_of(const cv::Mat& photo, Finders& finders) {
     const std::vector<Face> faces = find_faces(*finders.faces, photo, settings.only_prominent_faces);
     Sample sample = sample_of(pair, settings, faces);
     sample.faces = faces;
-    sample.subject = find_subject(finders.network, pair);
+    sample.subject = find_subject(*finders.network, pair);
     const auto region = [&] {
         return shot_region({sample}, {}, map_size(photo.size()), photo.size(), settings).shot.region.polygon;
     };
@@ -248,7 +249,7 @@ std::vector<fs::path> photos_in(const fs::path& media) {
 void words_table(const TableInput& input) {
     fmt::print("lines of text (no value was fitted to photos with an odd number)\n");
     Finders finders{.faces = face_detector(input.face_model, ""),
-                    .network = SaliencyNetwork(input.saliency_model),
+                    .network = open_network(input.saliency_model, full_side),
                     .lines = LineDetector(input.text_model)};
     cv::RNG random(17);
     Row drawn_slides;

@@ -28,7 +28,7 @@ std::vector<Sample> ball_on_floor(std::size_t begin, std::size_t end) {
             cv::circle(picture, {160, 90}, 40, cv::Scalar(30, 40, 200), cv::FILLED, cv::LINE_AA);
             cv::circle(sample.motion, {80, 45}, 20, 1, cv::FILLED);
         }
-        keep_glance(sample, {picture, {}, 1}, coarse_side);
+        keep_glance(sample, {picture, {}, 1});
     }
     return samples;
 }

@@ -170,31 +170,35 @@ TEST_CASE("a face tells where the subject is") {
     CHECK(off_middle(right) > 10);
 }
 
-TEST_CASE("a network of the operator's finds the subject of a picture") {
-    const TemporaryDirectory folder;
-    const std::string file = folder.write("blue.onnx", blue_network()).string();
-    cv::Mat picture = plain({60, 60, 60});
-    picture(cv::Rect(400, 100, 120, 120)).setTo(cv::Scalar(255, 60, 60));
-    SaliencyNetwork network(file);
-    SaliencyMap map;
-    cv::resize(network.map(picture), map, picture.size());
-    CHECK(map.at<float>(160, 460) > 0.95F);
-    CHECK(map.at<float>(160, 100) < 0.05F);
+TEST_CASE("a network finds the subject of a picture, whose shape its input has") {
+    const auto size_and_check = [](cv::Size size, int side) {
+        cv::Mat picture(size, CV_8UC3, cv::Scalar(60, 60, 60));
+        picture(cv::Rect(size.width * 5 / 8, size.height / 4, size.width / 5, size.height / 4))
+            .setTo(cv::Scalar(255, 60, 60));
+        SaliencyNetwork network("blue", blue_network(), side);
+        SaliencyMap map = network.map(picture);
+        const cv::Size input = map.size();
+        cv::resize(map, map, picture.size());
+        CHECK(map.at<float>(size.height * 3 / 8, size.width * 23 / 32) > 0.95F);
+        CHECK(map.at<float>(size.height * 3 / 8, size.width / 6) < 0.05F);
+        return input;
+    };
+    CHECK(size_and_check({640, 640}, 320) == cv::Size(320, 320));
+    CHECK(size_and_check({640, 480}, 320) == cv::Size(384, 288));
+    CHECK(size_and_check({480, 640}, 320) == cv::Size(288, 384));
+    CHECK(size_and_check({640, 360}, 160) == cv::Size(224, 128));
+    CHECK(size_and_check({1600, 100}, 320) == cv::Size(640, 96));
 }
 
-TEST_CASE("a network looks at a smaller picture with the same weights") {
-    cv::Mat picture = plain({60, 60, 60});
-    picture(cv::Rect(400, 100, 120, 120)).setTo(cv::Scalar(255, 60, 60));
-    const std::string model = with_input_side(blue_network(), 160);
-    SaliencyNetwork network("blue", model, 160);
-    SaliencyMap map = network.map(picture);
-    CHECK(map.size() == cv::Size(160, 160));
-    cv::resize(map, map, picture.size());
-    CHECK(map.at<float>(160, 460) > 0.95F);
-    CHECK(map.at<float>(160, 100) < 0.05F);
+TEST_CASE("one network looks at pictures of several shapes") {
+    SaliencyNetwork network("blue", blue_network(), 160);
+    CHECK(network.map(cv::Mat(360, 640, CV_8UC3)).size() == cv::Size(224, 128));
+    CHECK(network.map(cv::Mat(640, 360, CV_8UC3)).size() == cv::Size(128, 224));
+    CHECK(network.map(cv::Mat(360, 640, CV_8UC3)).size() == cv::Size(224, 128));
 }
 
 TEST_CASE("a saliency model that cannot be read is named") {
-    CHECK_THROWS_WITH_AS(SaliencyNetwork("/nowhere.onnx"), doctest::Contains("/nowhere.onnx"),
+    SaliencyNetwork network("blue.onnx", "no model");
+    CHECK_THROWS_WITH_AS(network.map(plain({60, 60, 60})), doctest::Contains("blue.onnx"),
                          std::runtime_error);
 }
