@@ -76,10 +76,10 @@ double undecided_share(const SaliencyMap& map) {
 }  // namespace
 
 SubjectOutline subject_outline(const SaliencyMap& map) {
+    const cv::Mat parts = heavy_parts(map, fair);
+    if (cv::countNonZero(parts) == 0) return {};
     const cv::Mat possible = heavy_parts(map, generous);
-    SubjectOutline outline{.sure = hull_of(things(heavy_parts(map, fair), possible)),
-                           .possible = hull_of(possible)};
-    if (outline.sure.empty()) return outline;
+    SubjectOutline outline{.sure = hull_of(things(parts, possible)), .possible = hull_of(possible)};
     const auto side = [&](const Polygon& hull) {
         return std::sqrt(area(hull) / static_cast<double>(map.total()));
     };

@@ -16,8 +16,8 @@ struct SubjectOutline {
     double certainty = 0;  // [0, 1]: 1 where the map is black and white, with one outline at any threshold
 };
 
-/// Finds the outline of a map that a network has made. Specks, parts with less than a twentieth of the mass
-/// of the heaviest part, do not count.
+/// Finds the outline of a map that a network has made. Where all is faint nothing stands out. Specks, parts
+/// with less than a twentieth of the mass of the heaviest part, do not count.
 ///
 /// The doubt is the share of undecided mass, U = sum m (1 - m) / sum m. A small subject is a blur as wide as
 /// itself, and undecided by that measure. So the doubt is no larger than twice the growth of the outline's

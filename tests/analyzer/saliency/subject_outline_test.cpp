@@ -60,6 +60,10 @@ TEST_CASE("a wide smear is not sure, and a map without anything not at all") {
     CHECK(subject_outline(with_disc({80, 60}, 30, 25)).certainty < 0.8);
     CHECK(subject_outline(dark()).certainty == 0);
     CHECK(subject_outline(dark()).sure.empty());
+    // One look of two saw a trace of something in a landscape.
+    const SubjectOutline trace = subject_outline(with_disc({50, 60}, 3) * 0.2);
+    CHECK(trace.certainty == 0);
+    CHECK(trace.sure.empty());
 }
 
 TEST_CASE("two subjects are one outline, a speck is none") {
