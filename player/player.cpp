@@ -76,7 +76,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
       options_(options),
       signals_(watch_signals()),
       clock_(settings.output.frame_rate),
-      wall_(loop_, settings_),
+      wall_(std::make_unique<WallLink>(loop_, settings_)),
       tick_(loop_.timer([this] { tick(); })) {
     make_display();
     const std::filesystem::path state = settings.state.directory;
@@ -88,7 +88,7 @@ Player::Player(const Settings& settings, const PlayOptions& options)
             if (stages_) stages_->set_catalogue(files_->records(), files_->hints());
         });
     make_sources();
-    stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures(), wall_.others());
+    stages_ = std::make_unique<Stages>(settings_, *sources_, is_paced_by_pictures(), wall_->others());
     if (!is_paced_by_pictures() && !settings.output.sound.empty())
         sound_ = std::make_unique<WallSound>(media_places(settings), alsa_sink(settings.output.sound));
     if (!settings.status.folder.empty() && !options.rehearsal)
@@ -162,7 +162,7 @@ PlayerView Player::view() const {
             .stages = *stages_,
             .sources = *sources_,
             .clock = clock_,
-            .wall = wall_,
+            .wall = *wall_,
             .is_rehearsed = options_.rehearsal.has_value()};
 }
 
@@ -183,7 +183,7 @@ void Player::begin_stages() {
 }
 
 void Player::run() {
-    wall_.begin();
+    wall_->begin();
     tick_.arm(0s);
     service::ready("starting");
     loop_.run();
@@ -197,17 +197,17 @@ bool Player::is_paced_by_pictures() const {
 }
 
 std::chrono::nanoseconds Player::now() const {
-    return is_paced_by_pictures() ? clock_.due() : wall_.now();
+    return is_paced_by_pictures() ? clock_.due() : wall_->now();
 }
 
 /// Draws one frame, or waits until one can be drawn.
 void Player::tick() {
-    wall_.follow_clocks(stages_->first().wall());
+    wall_->follow_clocks(stages_->first().wall());
     const std::chrono::nanoseconds time = now();
     if (options_.duration && time >= *options_.duration) return loop_.quit();
-    display_->hours().set_others_awake(wall_.others()->are_awake);
+    display_->hours().set_others_awake(wall_->others()->are_awake);
     display_->follow_display(options_.rehearsal ? options_.rehearsal->local_time() : std::nullopt, time);
-    wall_.set_awake(display_->hours().is_awake(time));
+    wall_->set_awake(display_->hours().is_awake(time));
     renew_stages(time);
     stages_->set_screens(display_->screens(), time);
     service_->look(time);
@@ -218,10 +218,10 @@ void Player::tick() {
     handle_input(time);
     look_at_files(time);
     sources_->update();
-    const std::chrono::nanoseconds frame = wall_.is_shared() ? clock_.last_due(time) : time;
-    wall_.direct(*stages_, display_->screens(), frame);
+    const std::chrono::nanoseconds frame = wall_->is_shared() ? clock_.last_due(time) : time;
+    wall_->direct(*stages_, display_->screens(), frame);
     stages_->show(frame, display_->renderer(), display_->has_old_picture() && time < old_picture_patience);
-    wall_.speak(stages_->first().wall(), frame);
+    wall_->speak(stages_->first().wall(), frame);
     play_sound(time);
     take_wall_picture(time);
     if (is_paced_by_pictures())
@@ -239,8 +239,8 @@ void Player::rest(std::chrono::nanoseconds time) {
     handle_input(time);
     look_at_files(time);
     play_sound(time);
-    wall_.direct(*stages_, {}, time);
-    wall_.speak(stages_->first().wall(), time);
+    wall_->direct(*stages_, {}, time);
+    wall_->speak(stages_->first().wall(), time);
     tick_.arm(is_paced_by_pictures() ? 0s : std::chrono::nanoseconds(invisible_pause));
 }
 
@@ -257,7 +257,7 @@ void Player::handle_input(std::chrono::nanoseconds time) {
     }
     if (input_devices_->has_input()) display_->hours().wake(time);
     input_devices_->deliver_input(
-        display_->screens(), wall_.start(),
+        display_->screens(), wall_->start(),
         [this](const Screen& screen, InputEvent event) { stages_->handle_input(screen, event); });
 }
 
@@ -270,7 +270,7 @@ void Player::look_at_files(std::chrono::nanoseconds time) {
 /// Updates the sound to the films now on the walls; silent while no wall is shown.
 void Player::play_sound(std::chrono::nanoseconds time) {
     if (!sound_) return;
-    sound_->follow(stages_->audible(), (wall_.start() + time).time_since_epoch());
+    sound_->follow(stages_->audible(), (wall_->start() + time).time_since_epoch());
     for (const SoundEvent& event : sound_->take_events())
         log::write(event.is_trouble ? log::Level::warning : log::Level::info, "sound: " + event.text);
 }
@@ -303,7 +303,7 @@ void Player::renew_stages(std::chrono::nanoseconds time) {
     for (const SourceId source : sources_->retire_all())
         display_->forget_source(source);
     stages_->make_anew();
-    wall_.begin_anew();
+    wall_->begin_anew();
     begin_stages();
 }
 

@@ -4,7 +4,6 @@
 #include "base/system/event_loop.hpp"
 #include "player/frame_clock.hpp"
 #include "player/input/rehearsal.hpp"
-#include "player/wall_link/wall_link.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -22,6 +21,7 @@ class Stages;
 class VisibleFiles;
 class InputDevices;
 class ReaderHost;
+class WallLink;
 class WallPicture;
 class WallSound;
 struct PlayerActions;
@@ -89,7 +89,7 @@ class Player {
     std::unique_ptr<PlayerService> service_;
     std::unique_ptr<InputDevices> input_devices_;
     FrameClock clock_;
-    WallLink wall_;
+    std::unique_ptr<WallLink> wall_;  // never null
     EventLoop::Source tick_;
 };
 

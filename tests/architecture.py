@@ -16,6 +16,8 @@ MEMBERS = 15  # data members of a class
 METHODS = 20  # of a class; constructors and operators count, defaulted and deleted ones do not
 PARAMETERS = 5  # of a function
 FUNCTION_LINES = 40  # from its first line to its closing brace
+HEADERS = 40  # of the tree that the header of a program's root class pulls in, directly or not
+ROOT_HEADERS = ("player/player.hpp",)
 
 # Classes and functions that may be larger, each with the reason. At most EXCEPTIONS of them; never one of NO_EXCEPTION.
 EXCEPTIONS = 8
@@ -135,6 +137,22 @@ def check_cycles(root, files):
             yield f"a cycle of {what}: {' -> '.join(found)}"
 
 
+def reached(root, name, seen):
+    """All headers of the tree that a file pulls in, directly or not; added to those seen."""
+    for include in filter(is_ours, includes((root / name).read_text())):
+        if include not in seen and (root / include).exists():
+            seen.add(include)
+            reached(root, include, seen)
+    return seen
+
+
+def check_reach(root):
+    for name in ROOT_HEADERS:
+        count = len(reached(root, name, set())) if (root / name).exists() else 0
+        if count > HEADERS:
+            yield f"{name}: pulls in {count} headers of the tree, at most {HEADERS}"
+
+
 def check_folders(root, files):
     folders = {}
     for path in files:
@@ -240,6 +258,7 @@ def offences(root, build=None):
         yield from check_file(root, path)
     yield from check_cycles(root, files)
     yield from check_folders(root, files)
+    yield from check_reach(root)
     if build:
         import code_model
         model = code_model.model(root, build)

@@ -44,6 +44,14 @@ class ArchitectureTest(unittest.TestCase):
     def test_a_sub_folder_never_includes_its_root(self):
         self.assertIn("program's root", found_in({"player/x/a.hpp": '#include "player/b.hpp"\n', "player/b.hpp": ""}))
 
+    def test_a_root_header_that_pulls_in_too_many_is_found(self):
+        def found(count):
+            chain = {f"base/a/h{i}.hpp": f'#include "base/a/h{i + 1}.hpp"\n' for i in range(count - 1)}
+            return found_in({"player/player.hpp": '#include "base/a/h0.hpp"\n', f"base/a/h{count - 1}.hpp": "", **chain})
+
+        self.assertIn("pulls in 41 headers of the tree, at most 40", found(41))
+        self.assertNotIn("pulls in", found(40))
+
     def test_a_cycle_of_folders_is_found(self):
         self.assertIn("a cycle of folders", found_in({
             "base/a/one.hpp": '#include "base/b/two.hpp"\n', "base/b/two.hpp": "",

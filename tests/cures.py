@@ -632,7 +632,7 @@ CURES = [
     Cure("a leader without a display that keeps a place for its own", "player/stage/output_canvas.cpp",
          "!screens.empty() || has_others()", "!screens.empty()", "stage_test.output_canvas_test"),
     Cure("a box that does not tell that its panels are off", "player/player.cpp",
-         "    wall_.speak(stages_->first().wall(), time);\n    tick_.arm(", "    tick_.arm(", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
+         "    wall_->speak(stages_->first().wall(), time);\n    tick_.arm(", "    tick_.arm(", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
     Cure("commands that claim to change the wall of another box", "player/player_service.cpp",
          "    if (view_.settings.wall.role == WallRole::follow) leave_to_leader(handlers);\n", "    (void)leave_to_leader;\n",
          "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
@@ -647,7 +647,7 @@ CURES = [
     Cure("a tapestry on a canvas whose parts a box does not know", "player/scene/acts/followed_lifted.cpp",
          "return knows(tapestry_->room.canvas) ? &*tapestry_ : nullptr;", "return &*tapestry_;", "acts_test.shared_wall_test"),
     Cure("a touch at night that lights one box of a wall", "player/player.cpp",
-         "    display_->hours().set_others_awake(wall_.others()->are_awake);\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
+         "    display_->hours().set_others_awake(wall_->others()->are_awake);\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
     Cure("a misspelt display in the settings that nobody tells of", "player/stage/output_faults.cpp",
          "    if (missing.empty() || other.empty()) return {};\n", "    if (!missing.empty() || other.empty()) return {};\n", "stage_test.output_faults_test"),
     Cure("a follower whose disk was full stays so, and nobody says why", "link/wall/fetch",
@@ -683,7 +683,7 @@ CURES = [
     Cure("proof of play that is empty on a leader without a screen", "player/stage/seen_files.cpp",
          "return stage.is_seen();", "return false;", "stage_test.seen_files_test"),
     Cure("boxes that keep the old wall after the leader has read its settings again", "player/player.cpp",
-         "    wall_.begin_anew();\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
+         "    wall_->begin_anew();\n", "", "pipeline.shared_wall", targets=("vitrine-player",), only="release"),
 ]
 
 
