@@ -10,8 +10,9 @@
 
 namespace vitrine::analyzer {
 
+/// Reads the model of a file.
 /// @param side  px, as in look_size()
-/// @throws std::runtime_error if the model of the file cannot be read
+/// @throws std::runtime_error if it cannot be read
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side);
 
 /// The network of the settings, which name one, for quick looks: the student, or the large one with a smaller

@@ -35,11 +35,9 @@ class SaliencyNetwork {
     /// coarse one. The first look, and each at a picture of another shape than the one before, also prepares
     /// the model.
     /// @param bgr  CV_8UC3, not empty
-    /// @return     for each pixel how likely it is the subject's, in [0, 1], of the input's size; stretched
-    /// to
-    ///             that range unless it is nearly the same everywhere
-    /// @throws std::runtime_error if OpenCV cannot use the model, it does not take such a picture or gives no
-    ///                            map
+    /// @return     for each pixel how likely it is the subject's, of the input's size. The values are
+    ///             stretched to [0, 1], unless they are nearly the same everywhere
+    /// @throws std::runtime_error if OpenCV cannot use the model, or it gives no map of such a picture
     SaliencyMap map(const cv::Mat& bgr);
 
   private:
