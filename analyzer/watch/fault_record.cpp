@@ -9,14 +9,12 @@ namespace vitrine::analyzer {
 
 namespace {
 
-using std::chrono::seconds;
-
-seconds whole_seconds(WallClock::time_point time) {
-    return std::chrono::floor<seconds>(time.time_since_epoch());
+std::chrono::seconds whole_seconds(WallClock::time_point time) {
+    return std::chrono::floor<std::chrono::seconds>(time.time_since_epoch());
 }
 
 /// "14:02", and the day where that is not today's: "14:02 on 2026-11-21".
-std::string moment_in_words(seconds since, WallClock::time_point now) {
+std::string moment_in_words(std::chrono::seconds since, WallClock::time_point now) {
     using std::chrono::days;
     const auto local = local_time(WallClock::time_point(since));
     const auto day = std::chrono::floor<days>(local);
@@ -39,7 +37,8 @@ MediaRecord waiting_record(MediaRecord record, const std::optional<MediaRecord>&
     record.state = MediaState::waiting;
     record.fault.since = whole_seconds(now);
     const bool goes_on = known && is_same_content(*known, record) && known->state == MediaState::waiting &&
-                         known->fault.owner == record.fault.owner && known->fault.since > seconds(0);
+                         known->fault.owner == record.fault.owner &&
+                         known->fault.since > std::chrono::seconds(0);
     if (goes_on) record.fault.since = known->fault.since;
     record.reason = fmt::format("since {}: {}; it is tried again", moment_in_words(record.fault.since, now),
                                 record.reason);
