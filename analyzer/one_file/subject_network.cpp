@@ -11,10 +11,14 @@ namespace {
 constexpr std::size_t max_model = std::size_t{1} << 30U;  // bytes; u2net has 176 MB
 constexpr int student_side = 224;                         // px, of the larger look of the student
 
+std::shared_ptr<Network> read_network(const std::string& file) {
+    return std::make_shared<Network>("saliency model '" + file + "'", read_file(file, max_model));
+}
+
 }  // namespace
 
 std::unique_ptr<SaliencyNetwork> open_network(const std::string& file, int side) {
-    return std::make_unique<SaliencyNetwork>(file, read_file(file, max_model), side);
+    return std::make_unique<SaliencyNetwork>(read_network(file), side);
 }
 
 std::unique_ptr<SaliencyNetwork> quick_network(const AnalysisSettings& settings) {
@@ -27,15 +31,15 @@ std::unique_ptr<SaliencyNetwork> spare_network(const AnalysisSettings& settings)
 }
 
 SubjectNetwork::SubjectNetwork(const std::string& file, bool is_student) {
-    looks_.push_back(open_network(file, is_student ? coarse_side : full_side));
-    if (looks_.front()->is_scalable())
-        looks_.push_back(open_network(file, is_student ? student_side : coarse_side));
+    const std::shared_ptr<Network> network = read_network(file);
+    looks_.emplace_back(network, is_student ? coarse_side : full_side);
+    if (looks_.front().is_scalable()) looks_.emplace_back(network, is_student ? student_side : coarse_side);
 }
 
 SaliencyMap SubjectNetwork::find(const FramePair& pair) {
-    SaliencyMap sum = find_subject(*looks_.front(), pair);
+    SaliencyMap sum = find_subject(looks_.front(), pair);
     for (std::size_t i = 1; i < looks_.size(); ++i)
-        sum += find_subject(*looks_[i], pair);
+        sum += find_subject(looks_[i], pair);
     return sum / static_cast<double>(looks_.size());
 }
 

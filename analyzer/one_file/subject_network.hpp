@@ -40,7 +40,7 @@ class SubjectNetwork {
     SaliencyMap find(const FramePair& pair);
 
   private:
-    std::vector<std::unique_ptr<SaliencyNetwork>> looks_;  // at least one
+    std::vector<SaliencyNetwork> looks_;  // at least one; they share one network
 };
 
 /// The network of the settings, as it looks at photos.

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "analyzer/network/network.hpp"
 #include "analyzer/saliency/saliency_map.hpp"
 
-#include <opencv2/dnn.hpp>
-
-#include <string>
+#include <memory>
 
 namespace vitrine::analyzer {
 
@@ -22,16 +21,15 @@ cv::Size look_size(cv::Size picture, int side);
 /// ImageNet, whose first output is one map. U2-Net, its small form and its student are such.
 class SaliencyNetwork {
   public:
-    /// @param file   name of the model, for errors
-    /// @param model  ONNX, whose input is declared as a square of full_side or coarse_side. Another model
-    ///               takes squares of this side only
-    /// @param side   px, as in look_size(); a look takes time by its square
-    SaliencyNetwork(std::string file, std::string model, int side = full_side);
+    /// @param network  of a model whose input is declared as a square of full_side or coarse_side. Another
+    ///                 model takes squares of this side only. Not null; looks of several sides may share one
+    /// @param side     px, as in look_size(); a look takes time by its square
+    SaliencyNetwork(std::shared_ptr<Network> network, int side);
 
     /// True if the network takes pictures of other sizes than the declared one.
-    bool is_scalable() const { return declared_ > 0; }
+    bool is_scalable() const { return network_->declares_square(); }
 
-    /// U2-Net's small form takes about a second of processor time at the full side, its student .03 s at the
+    /// U2-Net's small form takes about .4 s of processor time at the full side, its student .03 s at the
     /// coarse one. The first look, and each at a picture of another shape than the one before, also prepares
     /// the model.
     /// @param bgr  CV_8UC3, not empty
@@ -41,15 +39,8 @@ class SaliencyNetwork {
     SaliencyMap map(const cv::Mat& bgr);
 
   private:
-    void prepare(cv::Size input);
-
-    std::string file_;
-    std::string model_;
+    std::shared_ptr<Network> network_;
     int side_ = full_side;
-    int declared_ = 0;  // px, side of the declared square; 0: none that is known
-    cv::dnn::Net net_;
-    cv::Size input_;
-    std::string output_;  // name of the first output
 };
 
 }  // namespace vitrine::analyzer

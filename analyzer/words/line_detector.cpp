@@ -1,19 +1,17 @@
 #include "analyzer/words/line_detector.hpp"
 
+#include "base/system/atomic_file.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace vitrine::analyzer {
 namespace {
 
 constexpr int input_multiple = 32;
-constexpr std::size_t max_nets = 2;    // one for each size of its input
 constexpr double min_score = 0.6;      // mean value of a core
 constexpr double growth = 1.5;         // a line is its core grown by area / length of the outline, times this
 constexpr double room = 0.1;           // around the line, share of its height: for accents and descenders
@@ -28,14 +26,10 @@ cv::Size input_size(cv::Size picture, int side) {
     return {to_multiple(picture.width * scale), to_multiple(picture.height * scale)};
 }
 
-/// The picture as the network was trained: each channel less a mean, over a deviation, of ImageNet.
 cv::Mat input_of(const cv::Mat& bgr, cv::Size size) {
-    cv::Mat input;
-    cv::resize(bgr, input, size, 0, 0, size.width < bgr.cols ? cv::INTER_AREA : cv::INTER_LINEAR);
-    input.convertTo(input, CV_32FC3, 1.0 / 255);
-    input -= cv::Scalar(0.485, 0.456, 0.406);
-    cv::divide(input, cv::Scalar(0.229, 0.224, 0.225), input);
-    return cv::dnn::blobFromImage(input);
+    cv::Mat resized;
+    cv::resize(bgr, resized, size, 0, 0, size.width < bgr.cols ? cv::INTER_AREA : cv::INTER_LINEAR);
+    return network_input(resized);
 }
 
 /// The upright box around a core that is grown to a whole line.
@@ -67,42 +61,11 @@ double score_of(const cv::Mat& map, const std::vector<cv::Point>& outline) {
 
 }  // namespace
 
-LineDetector::LineDetector(const std::string& file) : file_(file) {
-    std::ifstream stream(file, std::ios::binary);
-    model_.assign(std::istreambuf_iterator<char>(stream), {});
-    try {
-        nets_.push_back({.net = cv::dnn::readNetFromONNX(model_.data(), model_.size()), .size = {}});
-    } catch (const cv::Exception& e) {
-        throw std::runtime_error("read text model '" + file + "': " + e.what());
-    }
-}
-
-// OpenCV 4.6 computes nonsense after a change of size.
-cv::dnn::Net& LineDetector::net_for(cv::Size size) {
-    const auto known = std::ranges::find_if(
-        nets_, [&](const SizedNet& net) { return net.size == size || net.size.empty(); });
-    if (known != nets_.end()) {
-        known->size = size;
-        return known->net;
-    }
-    if (nets_.size() >= max_nets) nets_.erase(nets_.begin());
-    nets_.push_back({.net = cv::dnn::readNetFromONNX(model_.data(), model_.size()), .size = size});
-    return nets_.back().net;
-}
+LineDetector::LineDetector(const std::string& file)
+    : network_("text model '" + file + "'", read_file(file)) {}
 
 cv::Mat LineDetector::map(const cv::Mat& bgr, int side) {
-    const cv::Size size = input_size(bgr.size(), side);
-    cv::Mat output;
-    try {
-        cv::dnn::Net& net = net_for(size);
-        net.setInput(input_of(bgr, size));
-        output = net.forward();
-    } catch (const cv::Exception& e) {
-        throw std::runtime_error("run text model '" + file_ + "': " + e.what());
-    }
-    if (output.dims != 4 || output.size[1] != 1 || output.type() != CV_32F)
-        throw std::runtime_error("run text model '" + file_ + "': its output is not one map");
-    return cv::Mat(output.size[2], output.size[3], CV_32FC1, output.ptr<float>()).clone();
+    return network_.map(input_of(bgr, input_size(bgr.size(), side)));
 }
 
 std::vector<Box> LineDetector::find(const cv::Mat& bgr, int side) {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "analyzer/network/network.hpp"
 #include "base/geometry/box.hpp"
 
 #include <opencv2/core.hpp>
-#include <opencv2/dnn.hpp>
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ class LineDetector {
     /// @throws std::runtime_error if it cannot be read
     explicit LineDetector(const std::string& file);
 
-    /// The cost grows with the area that is searched: 640 x 480 px take about a third of a second of
+    /// The cost grows with the area that is searched: 640 x 480 px take about a tenth of a second of
     /// processor time.
     /// @param bgr   CV_8UC3, not empty
     /// @param side  px, the longest side of what the network sees, a multiple of 32
@@ -36,16 +36,7 @@ class LineDetector {
     cv::Mat map(const cv::Mat& bgr, int side);
 
   private:
-    struct SizedNet {
-        cv::dnn::Net net;
-        cv::Size size;  // of its input so far; empty: it has had none
-    };
-
-    cv::dnn::Net& net_for(cv::Size size);
-
-    std::string file_;
-    std::vector<char> model_;  // bytes of the file
-    std::vector<SizedNet> nets_;
+    Network network_;
 };
 
 }  // namespace vitrine::analyzer

@@ -175,7 +175,7 @@ TEST_CASE("a network finds the subject of a picture, whose shape its input has")
         cv::Mat picture(size, CV_8UC3, cv::Scalar(60, 60, 60));
         picture(cv::Rect(size.width * 5 / 8, size.height / 4, size.width / 5, size.height / 4))
             .setTo(cv::Scalar(255, 60, 60));
-        SaliencyNetwork network("blue", blue_network(), side);
+        SaliencyNetwork network(std::make_shared<Network>("blue", blue_network()), side);
         SaliencyMap map = network.map(picture);
         const cv::Size input = map.size();
         cv::resize(map, map, picture.size());
@@ -191,14 +191,13 @@ TEST_CASE("a network finds the subject of a picture, whose shape its input has")
 }
 
 TEST_CASE("one network looks at pictures of several shapes") {
-    SaliencyNetwork network("blue", blue_network(), 160);
+    SaliencyNetwork network(std::make_shared<Network>("blue", blue_network()), 160);
     CHECK(network.map(cv::Mat(360, 640, CV_8UC3)).size() == cv::Size(224, 128));
     CHECK(network.map(cv::Mat(640, 360, CV_8UC3)).size() == cv::Size(128, 224));
     CHECK(network.map(cv::Mat(360, 640, CV_8UC3)).size() == cv::Size(224, 128));
 }
 
 TEST_CASE("a saliency model that cannot be read is named") {
-    SaliencyNetwork network("blue.onnx", "no model");
-    CHECK_THROWS_WITH_AS(network.map(plain({60, 60, 60})), doctest::Contains("blue.onnx"),
+    CHECK_THROWS_WITH_AS(Network("blue.onnx", "no model"), doctest::Contains("blue.onnx"),
                          std::runtime_error);
 }
