@@ -1,5 +1,7 @@
 #include "analyzer/faces/yunet.hpp"
 
+#include "analyzer/network/convolution_layer.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +58,7 @@ int rounded_up(int value) {
 }  // namespace
 
 YuNet::YuNet(const std::string& model) {
+    use_fast_convolutions();
     try {
         net_ = cv::dnn::readNetFromONNX(model);
     } catch (const cv::Exception& e) {

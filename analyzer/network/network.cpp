@@ -1,5 +1,7 @@
 #include "analyzer/network/network.hpp"
 
+#include "analyzer/network/convolution_layer.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -45,6 +47,7 @@ cv::Mat network_input(const cv::Mat& picture) {
 
 Network::Network(std::string name, std::string model)
     : name_(std::move(name)), model_(std::move(model)), declared_(declared_side(model_)) {
+    use_fast_convolutions();
     if (!declares_square()) nets_.push_back(prepared({}));
 }
 

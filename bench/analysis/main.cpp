@@ -1,6 +1,7 @@
 // Measures the quality of the analysis on any folder with ground truth in the format of ../shared/media:
 //   analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--student MODEL.onnx]
-//   [--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--films-by-student]
+//   [--masks FOLDER] [--only networks|shots|shown|subjects|masks|words|motion|drift|bars]
+//   [--films-by-student]
 //   [--verbose]
 
 #include "bench/analysis/tables.hpp"
@@ -21,14 +22,15 @@ struct Table {
     void (*print)(const TableInput&);
 };
 
-constexpr Table tables[] = {{"shots", shots_table}, {"shown", shown_table}, {"subjects", subjects_table},
-                            {"masks", masks_table}, {"words", words_table}, {"motion", motion_table},
-                            {"drift", drift_table}, {"bars", bars_table}};
+constexpr Table tables[] = {{"networks", networks_table}, {"shots", shots_table}, {"shown", shown_table},
+                            {"subjects", subjects_table}, {"masks", masks_table}, {"words", words_table},
+                            {"motion", motion_table},     {"drift", drift_table}, {"bars", bars_table}};
 
 int usage() {
     fmt::print(
         "analysis_bench [--media FOLDER] [--faces YUNET.onnx] [--network MODEL.onnx] [--student MODEL.onnx] "
-        "[--masks FOLDER] [--only shots|shown|subjects|masks|words|motion|drift|bars] [--films-by-student] "
+        "[--masks FOLDER] [--only networks|shots|shown|subjects|masks|words|motion|drift|bars] "
+        "[--films-by-student] "
         "[--verbose]\n");
     return 2;
 }

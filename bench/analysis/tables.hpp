@@ -17,6 +17,9 @@ struct TableInput {
     bool is_verbose = false;        // a line for each picture
 };
 
+/// Processor time of a look of each network, with the convolutions of OpenCV and with those of the tree.
+void networks_table(const TableInput& input);
+
 /// Transitions found, missed and false in edited films and films of one take.
 void shots_table(const TableInput& input);
 
