@@ -172,10 +172,9 @@ constexpr auto keys = std::to_array<SettingKey>({
      SettingEffect::analyzer,
      "How the important part of a picture is found. \"network\": a neural network knows things. It takes "
      "about half a second of processor time for a photo and runs while nothing else is to be analysed. Until "
-     "then "
-     "the wall shows the photo with the plain region. In a film it looks at a few small frames of each shot. "
-     "\"student\": a small network that has learnt from it looks at each photo at once, and more often at "
-     "films. It takes a tenth of the time, and regions are larger. \"plain\": by contrast, motion, place "
+     "then the wall shows the photo with the plain region. In a film it looks at a few small frames of each "
+     "shot. \"student\": a small network that has learnt from it looks at each photo at once, and more often "
+     "at films. It takes a tenth of the time, and regions are larger. \"plain\": by contrast, motion, place "
      "and faces only."},
     {"analyzer.saliency_model",
      text<&S::analyzer, &S::Analyzer::saliency_model>("a path, or nothing", is_any), SettingEffect::analyzer,
