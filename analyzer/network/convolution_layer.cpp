@@ -65,11 +65,7 @@ std::unique_ptr<Convolution> make_kind(Kind kind, std::span<const float> weights
 class FastLayer : public cv::dnn::Layer {
   public:
     FastLayer(const cv::dnn::LayerParams& params, Kind kind, cv::Ptr<cv::dnn::Layer> plain)
-        : Layer(params),
-          kind_(kind),
-          plain_(std::move(plain)),
-          weights_(blobs[0].clone()),
-          biases_(blobs.size() > 1 ? blobs[1].clone() : cv::Mat::zeros(1, weights_.size[0], CV_32F)) {}
+        : Layer(params), kind_(kind), plain_(std::move(plain)) {}
 
     bool getMemoryShapes(const std::vector<cv::dnn::MatShape>& inputs, int wanted,
                          std::vector<cv::dnn::MatShape>& outputs,
@@ -77,6 +73,13 @@ class FastLayer : public cv::dnn::Layer {
         plain_->getMemoryShapes(inputs, wanted, outputs, internals);
         internals.clear();
         return false;
+    }
+
+    /// The input has another size: OpenCV tells the layers after this one anew.
+    void finalize(cv::InputArrayOfArrays /*inputs*/, cv::OutputArrayOfArrays /*outputs*/) override {
+        weights_ = blobs[0].clone();
+        biases_ = blobs.size() > 1 ? blobs[1].clone() : cv::Mat::zeros(1, weights_.size[0], CV_32F);
+        convolution_.reset();
     }
 
     bool setActivation(const cv::Ptr<cv::dnn::ActivationLayer>& next) override {
@@ -110,7 +113,11 @@ class FastLayer : public cv::dnn::Layer {
 
     void forward(cv::InputArrayOfArrays inputs, cv::OutputArrayOfArrays outputs,
                  cv::OutputArrayOfArrays /*internals*/) override {
-        if (!convolution_) convolution_ = make_kind(kind_, values_of(weights_), values_of(biases_));
+        if (!convolution_) {
+            convolution_ = make_kind(kind_, values_of(weights_), values_of(biases_));
+            weights_.release();
+            biases_.release();
+        }
         std::vector<cv::Mat> from;
         std::vector<cv::Mat> to;
         inputs.getMatVector(from);
@@ -129,12 +136,12 @@ class FastLayer : public cv::dnn::Layer {
   private:
     Kind kind_;
     cv::Ptr<cv::dnn::Layer> plain_;
-    cv::Mat weights_;  // outputs x inputs x 3 x 3
-    cv::Mat biases_;   // one for each output
+    cv::Mat weights_;  // with the layers that became part; empty once the convolution is made
+    cv::Mat biases_;   // one for each output; the same
     bool has_activation_ = false;
     Activation activation_ = Activation::none;
     cv::Ptr<cv::dnn::ActivationLayer> other_;   // activation that only OpenCV knows; null: none
-    std::unique_ptr<Convolution> convolution_;  // from the first run on, when all is fused
+    std::unique_ptr<Convolution> convolution_;  // from the first run on
 };
 
 cv::Ptr<cv::dnn::Layer> make_convolution(cv::dnn::LayerParams& params) {

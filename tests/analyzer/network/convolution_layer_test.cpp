@@ -36,6 +36,29 @@ cv::Mat drawn_input(cv::Size size) {
     return cv::dnn::blobFromImage(picture);
 }
 
+/// A convolution whose result is scaled, shifted and cut off at 0.
+cv::dnn::Net scaled_net(int side) {
+    cv::RNG random(3);
+    cv::dnn::LayerParams convolution;
+    convolution.set("kernel_size", side);
+    convolution.set("num_output", 4);
+    convolution.set("pad", side / 2);
+    convolution.set("bias_term", true);
+    convolution.blobs = {cv::Mat({4, 3, side, side}, CV_32F), cv::Mat(1, 4, CV_32F)};
+    cv::dnn::LayerParams scale;
+    scale.set("bias_term", true);
+    scale.blobs = {cv::Mat(1, 4, CV_32F), cv::Mat(1, 4, CV_32F)};
+    for (cv::dnn::LayerParams* params : {&convolution, &scale})
+        for (cv::Mat& blob : params->blobs)
+            random.fill(blob, cv::RNG::UNIFORM, -1, 1);
+    cv::dnn::LayerParams cut;
+    cv::dnn::Net net;
+    net.addLayerToPrev("convolution", "Convolution", convolution);
+    net.addLayerToPrev("scale", "Scale", scale);
+    net.addLayerToPrev("cut", "ReLU", cut);
+    return net;
+}
+
 }  // namespace
 
 TEST_CASE("the networks of the tree give the same with fast convolutions as with OpenCV's") {
@@ -46,6 +69,9 @@ TEST_CASE("the networks of the tree give the same with fast convolutions as with
     std::vector<cv::dnn::Net> plain;  // read before: how a layer computes is chosen as it is read
     for (const Model& model : models)
         plain.push_back(cv::dnn::readNetFromONNX(std::string(VITRINE_MODELS "/") + model.file));
+    std::vector<cv::dnn::Net> plain_scaled{scaled_net(1), scaled_net(3)};
+    for (cv::dnn::Net& net : plain_scaled)
+        (void)outputs_of(net, drawn_input({40, 24}));  // layers are made now
     use_fast_convolutions();
     use_fast_convolutions();  // a second time changes nothing
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -62,6 +88,17 @@ TEST_CASE("the networks of the tree give the same with fast convolutions as with
                   1e-3 * std::max(1.0, cv::norm(wanted[k], cv::NORM_INF)));
         }
         CHECK(most > 0.1);  // something is seen
+    }
+
+    for (const int side : {1, 3}) {
+        CAPTURE(side);
+        cv::dnn::Net fast = scaled_net(side);
+        for (const cv::Size size : {cv::Size(40, 24), cv::Size(24, 40), cv::Size(40, 24)}) {
+            const cv::Mat input = drawn_input(size);
+            const cv::Mat wanted = outputs_of(plain_scaled[side == 1 ? 0 : 1], input).front();
+            CHECK(cv::norm(outputs_of(fast, input).front(), wanted, cv::NORM_INF) < 1e-4);
+            CHECK(cv::norm(wanted, cv::NORM_INF) > 0.1);
+        }
     }
 }
 
