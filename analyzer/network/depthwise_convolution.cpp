@@ -24,9 +24,9 @@ struct Task {
 struct Rows {
     explicit Rows(const Task& task)
         : border(task.side / 2),
-          stride(task.size.width + 2 * border + lanes),
+          stride(task.size.width + 2 * border + max_lanes),
           values(product(task.side, stride)),
-          result(product(task.size.width + lanes, 1)) {}
+          result(product(task.size.width + max_lanes, 1)) {}
 
     float* row(int y, int side) { return values.data() + product((y + border) % side, stride); }
 
@@ -44,24 +44,25 @@ VITRINE_KERNEL void read_row(const Task& task, const float* plane, int y, Rows& 
         std::fill_n(to, task.size.width, 0.F);
 }
 
-template <int side> VITRINE_KERNEL void convolve_row(const Task& task, int plane, int y, Rows& rows) {
+template <int lanes, int side>
+VITRINE_KERNEL void convolve_row(const Task& task, int plane, int y, Rows& rows) {
     const float* from[side];
     for (int i = 0; i < side; ++i)
         from[i] = rows.row(y + i - rows.border, side);
     const float* weights = task.weights + product(plane, side * side);
     for (int x = 0; x < task.size.width; x += lanes) {
-        Vector sum = task.biases[static_cast<std::size_t>(plane)] + Vector{};
+        Vector<lanes> sum = task.biases[static_cast<std::size_t>(plane)] + Vector<lanes>{};
         for (int i = 0; i < side * side; ++i) {
-            Vector px;
-            load(px, from[i / side] + x + i % side);
+            Vector<lanes> px;
+            load<lanes>(px, from[i / side] + x + i % side);
             sum += weights[i] * px;
         }
-        activate(sum, task.activation);
-        store(rows.result.data() + x, sum);
+        activate<lanes>(sum, task.activation);
+        store<lanes>(rows.result.data() + x, sum);
     }
 }
 
-template <int side> VITRINE_KERNEL void convolve_planes(const Task& task) {
+template <int lanes, int side> VITRINE_KERNEL void convolve_planes(const Task& task) {
     Rows rows(task);
     const std::size_t pixels = product(task.size.height, task.size.width);
     for (int plane = 0; plane < static_cast<int>(task.biases.size()); ++plane) {
@@ -72,18 +73,20 @@ template <int side> VITRINE_KERNEL void convolve_planes(const Task& task) {
             read_row(task, from, y, rows);
         for (int y = 0; y < task.size.height; ++y) {
             read_row(task, from, y + rows.border, rows);
-            convolve_row<side>(task, plane, y, rows);
+            convolve_row<lanes, side>(task, plane, y, rows);
             std::copy_n(rows.result.data(), task.size.width, to + product(y, task.size.width));
         }
     }
 }
 
-VITRINE_KERNEL void convolve(const Task& task) {
-    if (task.side == 3)
-        convolve_planes<3>(task);
-    else
-        convolve_planes<5>(task);
-}
+struct Depthwise {
+    template <int lanes> VITRINE_KERNEL static void run(const Task& task) {
+        if (task.side == 3)
+            convolve_planes<lanes, 3>(task);
+        else
+            convolve_planes<lanes, 5>(task);
+    }
+};
 
 }  // namespace
 
@@ -94,13 +97,13 @@ DepthwiseConvolution::DepthwiseConvolution(std::span<const float> weights, std::
 
 void DepthwiseConvolution::run(const float* planes, PlaneSize size, Activation activation,
                                float* result) const {
-    run_kernel<convolve>(Task{.size = size,
-                              .side = side_,
-                              .biases = biases_,
-                              .planes = planes,
-                              .weights = weights_.data(),
-                              .activation = activation,
-                              .result = result});
+    run_kernel<Depthwise>(Task{.size = size,
+                               .side = side_,
+                               .biases = biases_,
+                               .planes = planes,
+                               .weights = weights_.data(),
+                               .activation = activation,
+                               .result = result});
 }
 
 }  // namespace vitrine::analyzer

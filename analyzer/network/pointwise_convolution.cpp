@@ -9,8 +9,8 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr int group = 4;  // outputs that are computed together, with 3 vectors each
-constexpr int strip = 3 * lanes;
+constexpr int group = 4;   // outputs that are computed together, with 3 vectors each
+constexpr int strip = 24;  // px that are computed together
 
 /// One convolution, as the kernel gets it.
 struct Task {
@@ -24,41 +24,46 @@ struct Task {
     float* result = nullptr;
 };
 
-/// Computes a strip of pixels of one group of outputs.
-VITRINE_KERNEL void multiply_strip(const Task& task, int first, const float* planes, float* to) {
-    Vector sums[group][3];
+/// Computes 3 vectors of pixels of one group of outputs.
+template <int lanes>
+VITRINE_KERNEL void multiply_vectors(const Task& task, int first, const float* planes, float* to) {
+    Vector<lanes> sums[group][3];
     for (int k = 0; k < group; ++k)
-        for (Vector& sum : sums[k])
-            sum = task.biases[first + k] + Vector{};
+        for (Vector<lanes>& sum : sums[k])
+            sum = task.biases[first + k] + Vector<lanes>{};
     const float* weights = task.weights + product(first, task.inputs);
     for (int c = 0; c < task.inputs; ++c) {
         const float* plane = planes + static_cast<std::size_t>(c) * task.pixels;
-        Vector px[3];
+        Vector<lanes> px[3];
         for (int v = 0; v < 3; ++v)
-            load(px[v], plane + product(v, lanes));
+            load<lanes>(px[v], plane + product(v, lanes));
         for (int k = 0; k < group; ++k)
             for (int v = 0; v < 3; ++v)
                 sums[k][v] += weights[c * group + k] * px[v];
     }
     for (int k = 0; k < group; ++k)
         for (int v = 0; v < 3; ++v) {
-            activate(sums[k][v], task.activation);
-            store(to + product(k, strip) + product(v, lanes), sums[k][v]);
+            activate<lanes>(sums[k][v], task.activation);
+            store<lanes>(to + product(k, strip) + product(v, lanes), sums[k][v]);
         }
 }
 
-VITRINE_KERNEL void multiply_strips(const Task& task) {
-    std::array<float, product(group, strip)> values;
-    for (std::size_t at = 0; at < task.pixels; at += strip) {
-        const std::size_t from = std::min(at, task.pixels - strip);  // the last strip may overlap another one
-        for (int first = 0; first < task.outputs; first += group) {
-            multiply_strip(task, first, task.planes + from, values.data());
-            for (int k = 0; k < std::min(group, task.outputs - first); ++k)
-                std::copy_n(values.data() + product(k, strip), strip,
-                            task.result + static_cast<std::size_t>(first + k) * task.pixels + from);
+struct Pointwise {
+    template <int lanes> VITRINE_KERNEL static void run(const Task& task) {
+        std::array<float, product(group, strip)> values;
+        for (std::size_t at = 0; at < task.pixels; at += strip) {
+            // The last strip may overlap another one.
+            const std::size_t from = std::min(at, task.pixels - strip);
+            for (int first = 0; first < task.outputs; first += group) {
+                for (int px = 0; px < strip; px += 3 * lanes)
+                    multiply_vectors<lanes>(task, first, task.planes + from + px, values.data() + px);
+                for (int k = 0; k < std::min(group, task.outputs - first); ++k)
+                    std::copy_n(values.data() + product(k, strip), strip,
+                                task.result + static_cast<std::size_t>(first + k) * task.pixels + from);
+            }
         }
     }
-}
+};
 
 /// Computes planes that are smaller than a strip, with zeros behind them.
 void multiply_small(const Task& task) {
@@ -71,7 +76,7 @@ void multiply_small(const Task& task) {
     padded.pixels = strip;
     padded.planes = planes.data();
     padded.result = result.data();
-    run_kernel<multiply_strips>(padded);
+    run_kernel<Pointwise>(padded);
     for (int k = 0; k < task.outputs; ++k)
         std::copy_n(result.data() + product(k, strip), task.pixels,
                     task.result + static_cast<std::size_t>(k) * task.pixels);
@@ -106,7 +111,7 @@ void PointwiseConvolution::run(const float* planes, PlaneSize size, Activation a
     if (task.pixels < strip)
         multiply_small(task);
     else
-        run_kernel<multiply_strips>(task);
+        run_kernel<Pointwise>(task);
 }
 
 }  // namespace vitrine::analyzer

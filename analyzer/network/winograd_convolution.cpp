@@ -80,13 +80,14 @@ VITRINE_KERNEL void read_rows(const Task& task, int row, Work& work) {
 }
 
 /// B^T d of the paper, for six values at a distance in memory.
-VITRINE_KERNEL void transform_patch(const Vector* d, Vector* to, std::ptrdiff_t step) {
-    const Vector a = d[4 * step] - 4.F * d[2 * step];
-    const Vector b = d[3 * step] - 4.F * d[step];
-    const Vector c = d[4 * step] - d[2 * step];
-    const Vector e = 2.F * (d[3 * step] - d[step]);
-    const Vector first = 4.F * d[0] - 5.F * d[2 * step] + d[4 * step];
-    const Vector last = 4.F * d[step] - 5.F * d[3 * step] + d[5 * step];
+template <int lanes>
+VITRINE_KERNEL void transform_patch(const Vector<lanes>* d, Vector<lanes>* to, std::ptrdiff_t step) {
+    const Vector<lanes> a = d[4 * step] - 4.F * d[2 * step];
+    const Vector<lanes> b = d[3 * step] - 4.F * d[step];
+    const Vector<lanes> c = d[4 * step] - d[2 * step];
+    const Vector<lanes> e = 2.F * (d[3 * step] - d[step]);
+    const Vector<lanes> first = 4.F * d[0] - 5.F * d[2 * step] + d[4 * step];
+    const Vector<lanes> last = 4.F * d[step] - 5.F * d[3 * step] + d[5 * step];
     to[0] = first;
     to[step] = a + b;
     to[2 * step] = a - b;
@@ -95,42 +96,44 @@ VITRINE_KERNEL void transform_patch(const Vector* d, Vector* to, std::ptrdiff_t 
     to[5 * step] = last;
 }
 
-VITRINE_KERNEL void transform_patches(const Task& task, const Block& at, Work& work) {
+template <int lanes> VITRINE_KERNEL void transform_patches(const Task& task, const Block& at, Work& work) {
     for (int c = 0; c < task.inputs; ++c) {
         const float* rows = work.rows.get() + product(c, patch * tile, work.stride) + at.first;
         for (int t = 0; t < at.tiles; t += lanes) {
-            Vector d[values];
+            Vector<lanes> d[values];
             for (int y = 0; y < patch; ++y)
                 for (int x = 0; x < patch; ++x)
-                    load(d[y * patch + x], rows + product(y * tile + x % tile, work.stride) + x / tile + t);
+                    load<lanes>(d[y * patch + x],
+                                rows + product(y * tile + x % tile, work.stride) + x / tile + t);
             for (int x = 0; x < patch; ++x)
-                transform_patch(d + x, d + x, patch);
+                transform_patch<lanes>(d + x, d + x, patch);
             for (int y = 0; y < patch; ++y)
-                transform_patch(d + product(y, patch), d + product(y, patch), 1);
+                transform_patch<lanes>(d + product(y, patch), d + product(y, patch), 1);
             for (int i = 0; i < values; ++i)
-                store(work.patches.get() + product(i, task.inputs, block) + product(c, block) + t, d[i]);
+                store<lanes>(work.patches.get() + product(i, task.inputs, block) + product(c, block) + t,
+                             d[i]);
         }
     }
 }
 
 /// Products of one group of outputs for `count` vectors of tiles.
-template <int count>
+template <int lanes, int count>
 VITRINE_KERNEL void multiply(const float* weights, const float* patches, int inputs, float* to) {
-    Vector sums[group][count] = {};
+    Vector<lanes> sums[group][count] = {};
     for (int c = 0; c < inputs; ++c) {
-        Vector tiles[count];
+        Vector<lanes> tiles[count];
         for (int v = 0; v < count; ++v)
-            load(tiles[v], patches + product(c, block) + product(v, lanes));
+            load<lanes>(tiles[v], patches + product(c, block) + product(v, lanes));
         for (int k = 0; k < group; ++k)
             for (int v = 0; v < count; ++v)
                 sums[k][v] += weights[c * group + k] * tiles[v];
     }
     for (int k = 0; k < group; ++k)
         for (int v = 0; v < count; ++v)
-            store(to + product(k, block) + product(v, lanes), sums[k][v]);
+            store<lanes>(to + product(k, block) + product(v, lanes), sums[k][v]);
 }
 
-VITRINE_KERNEL void multiply_all(const Task& task, const Block& at, Work& work) {
+template <int lanes> VITRINE_KERNEL void multiply_all(const Task& task, const Block& at, Work& work) {
     const int groups = groups_of(task.outputs);
     for (int i = 0; i < values * groups; ++i) {
         const float* weights = task.weights + product(i, task.inputs, group);
@@ -138,22 +141,23 @@ VITRINE_KERNEL void multiply_all(const Task& task, const Block& at, Work& work) 
         float* to = work.products.get() + product(i, group, block);
         int t = 0;
         for (; t + 2 * lanes < at.tiles; t += 3 * lanes)
-            multiply<3>(weights, patches + t, task.inputs, to + t);
+            multiply<lanes, 3>(weights, patches + t, task.inputs, to + t);
         if (t + lanes < at.tiles)
-            multiply<2>(weights, patches + t, task.inputs, to + t);
+            multiply<lanes, 2>(weights, patches + t, task.inputs, to + t);
         else if (t < at.tiles)
-            multiply<1>(weights, patches + t, task.inputs, to + t);
+            multiply<lanes, 1>(weights, patches + t, task.inputs, to + t);
     }
 }
 
 /// A^T m of the paper, for six values at a distance in memory.
-VITRINE_KERNEL void transform_products(const Vector* m, Vector* to, std::ptrdiff_t step) {
-    const Vector a = m[step] + m[2 * step];
-    const Vector b = m[step] - m[2 * step];
-    const Vector c = m[3 * step] + m[4 * step];
-    const Vector d = m[3 * step] - m[4 * step];
-    const Vector first = m[0] + a + c;
-    const Vector last = b + 8.F * d + m[5 * step];
+template <int lanes>
+VITRINE_KERNEL void transform_products(const Vector<lanes>* m, Vector<lanes>* to, std::ptrdiff_t step) {
+    const Vector<lanes> a = m[step] + m[2 * step];
+    const Vector<lanes> b = m[step] - m[2 * step];
+    const Vector<lanes> c = m[3 * step] + m[4 * step];
+    const Vector<lanes> d = m[3 * step] - m[4 * step];
+    const Vector<lanes> first = m[0] + a + c;
+    const Vector<lanes> last = b + 8.F * d + m[5 * step];
     to[0] = first;
     to[step] = b + 2.F * d;
     to[2 * step] = a + 4.F * c;
@@ -161,22 +165,23 @@ VITRINE_KERNEL void transform_products(const Vector* m, Vector* to, std::ptrdiff
 }
 
 /// Writes the tiles of one output.
+template <int lanes>
 VITRINE_KERNEL void write_tiles(const Task& task, const Block& at, int output, const Work& work) {
     const float* products = work.products.get() + product(output, block);
     const std::size_t plane = product(groups_of(task.outputs) * group, block);
     float columns[tile * tile][block];  // px of tiles: 4 x 4, for each tile
     for (int t = 0; t < at.tiles; t += lanes) {
-        Vector m[values];
+        Vector<lanes> m[values];
         for (int i = 0; i < values; ++i)
-            load(m[i], products + static_cast<std::size_t>(i) * plane + t);
+            load<lanes>(m[i], products + static_cast<std::size_t>(i) * plane + t);
         for (int x = 0; x < patch; ++x)
-            transform_products(m + x, m + x, patch);
+            transform_products<lanes>(m + x, m + x, patch);
         for (int y = 0; y < tile; ++y) {
-            transform_products(m + product(y, patch), m + product(y, patch), 1);
+            transform_products<lanes>(m + product(y, patch), m + product(y, patch), 1);
             for (int x = 0; x < tile; ++x) {
-                Vector value = m[y * patch + x] + task.biases[output];
-                activate(value, task.activation);
-                store(columns[y * tile + x] + t, value);
+                Vector<lanes> value = m[y * patch + x] + task.biases[output];
+                activate<lanes>(value, task.activation);
+                store<lanes>(columns[y * tile + x] + t, value);
             }
         }
     }
@@ -192,20 +197,22 @@ VITRINE_KERNEL void write_tiles(const Task& task, const Block& at, int output, c
     }
 }
 
-VITRINE_KERNEL void convolve(const Task& task) {
-    Work work(task);
-    const int across = (task.width + tile - 1) / tile;
-    for (int row = 0; row * tile < task.height; ++row) {
-        read_rows(task, row, work);
-        for (int first = 0; first < across; first += block) {
-            const Block at{row, first, std::min(block, across - first)};
-            transform_patches(task, at, work);
-            multiply_all(task, at, work);
-            for (int output = 0; output < task.outputs; ++output)
-                write_tiles(task, at, output, work);
+struct Winograd {
+    template <int lanes> VITRINE_KERNEL static void run(const Task& task) {
+        Work work(task);
+        const int across = (task.width + tile - 1) / tile;
+        for (int row = 0; row * tile < task.height; ++row) {
+            read_rows(task, row, work);
+            for (int first = 0; first < across; first += block) {
+                const Block at{row, first, std::min(block, across - first)};
+                transform_patches<lanes>(task, at, work);
+                multiply_all<lanes>(task, at, work);
+                for (int output = 0; output < task.outputs; ++output)
+                    write_tiles<lanes>(task, at, output, work);
+            }
         }
     }
-}
+};
 
 /// G g G^T of the paper.
 std::array<float, values> transformed(const float* weights) {
@@ -244,7 +251,7 @@ void WinogradConvolution::run(const float* planes, PlaneSize size, Activation ac
                               float* result) const {
     const Task task{inputs_,         outputs_,       size.height, size.width, planes,
                     weights_.data(), biases_.data(), activation,  result};
-    run_kernel<convolve>(task);
+    run_kernel<Winograd>(task);
 }
 
 }  // namespace vitrine::analyzer
