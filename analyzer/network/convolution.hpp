@@ -8,7 +8,7 @@ struct PlaneSize {
     int width = 0;   // px
 };
 
-/// What becomes of each value of the result.
+/// A convolution changes each value of its result by one of these functions.
 enum class Activation {
     none,
     rectified,   // negative values become 0

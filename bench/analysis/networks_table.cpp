@@ -1,5 +1,6 @@
 #include "analyzer/network/convolution_layer.hpp"
 #include "analyzer/network/vectors.hpp"
+#include "bench/analysis/cpu_time.hpp"
 #include "bench/analysis/tables.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <vector>
 
 namespace vitrine::analyzer {
@@ -22,19 +22,13 @@ struct Model {
     cv::Size size;
 };
 
-double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// Seconds of processor time of one look.
 double look_at(cv::dnn::Net& net, const cv::Mat& input) {
-    const double begin = processor_seconds();
+    const double begin = cpu_seconds();
     net.setInput(input);
     std::vector<cv::Mat> outputs;
     net.forward(outputs, net.getUnconnectedOutLayersNames());
-    return processor_seconds() - begin;
+    return cpu_seconds() - begin;
 }
 
 double median(std::array<double, rounds> values) {
@@ -68,8 +62,8 @@ void print_row(const Model& model, cv::dnn::Net& plain) {
 
 }  // namespace
 
-// How a layer computes is chosen as a network is read. So the plain ones are read before anything else asks
-// for fast convolutions: this table comes first.
+// A network keeps the convolutions that OpenCV had when it was read. So this table comes first: it reads the
+// plain networks before any code calls use_fast_convolutions().
 void networks_table(const TableInput& input) {
     fmt::print("networks: ms of processor time of a look by OpenCV, ours, ratio; the same of the first look; "
                "ours without AVX2\n");

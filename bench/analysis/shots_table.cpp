@@ -6,13 +6,12 @@
 
 #include "analyzer/film/frame_reader.hpp"
 #include "analyzer/film/transition_detector.hpp"
+#include "bench/analysis/cpu_time.hpp"
 #include "bench/analysis/shot_peers.hpp"
 #include "bench/analysis/tables.hpp"
 #include "bench/analysis/transition_score.hpp"
 
 #include <fmt/format.h>
-
-#include <ctime>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +20,6 @@
 namespace vitrine::analyzer {
 
 namespace {
-
-double cpu_seconds(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
 
 enum Peer : std::size_t { scdet, adaptive, histogram, peers };
 

@@ -7,6 +7,7 @@
 #include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/sample.hpp"
 #include "analyzer/saliency/shot_region.hpp"
+#include "bench/analysis/cpu_time.hpp"
 #include "bench/analysis/tables.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <string_view>
 #include <vector>
 
@@ -168,12 +168,6 @@ struct Regions {
     std::size_t lines = 0;  // found
     double line_cpu = 0;    // seconds
 };
-
-double cpu_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 Regions regions_of(const cv::Mat& photo, Finders& finders) {
     const AnalysisSettings settings;
