@@ -4,9 +4,9 @@
 #include "analyzer/watch/watch_command.hpp"
 #include "base/settings/setting_options.hpp"
 #include "base/system/log.hpp"
-#include "base/system/memory.hpp"
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 
 #include <cstdlib>
 #include <exception>
@@ -27,6 +27,15 @@ struct CommandLine {
     WeaveRequest weave;
     std::vector<std::string> words;
 };
+
+/// Keeps freed blocks, as this process decodes many frames of megabytes: after each return to the kernel every
+/// page would be cleared again. Call it before any thread starts.
+void keep_freed_memory() {
+    constexpr int max_kept = 64 << 20;
+    constexpr int max_on_heap = 32 << 20;  // the largest value that glibc allows
+    ::mallopt(M_TRIM_THRESHOLD, max_kept);
+    ::mallopt(M_MMAP_THRESHOLD, max_on_heap);
+}
 
 int run_analyze(const CommandLine& line, const Settings& settings) {
     keep_freed_memory();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/film/film_frame.hpp"
+#include "analyzer/film/frame_source.hpp"
 #include "base/state/record.hpp"
 
 #include <memory>
