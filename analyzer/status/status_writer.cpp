@@ -3,8 +3,8 @@
 #include "analyzer/status/status_page.hpp"
 #include "analyzer/status/status_text.hpp"
 #include "base/system/atomic_file.hpp"
-#include "base/system/local_time.hpp"
 #include "base/system/log.hpp"
+#include "base/system/machine.hpp"
 
 #include <fmt/format.h>
 

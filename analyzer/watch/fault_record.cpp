@@ -1,7 +1,7 @@
 #include "analyzer/watch/fault_record.hpp"
 
 #include "base/state/blame.hpp"
-#include "base/system/local_time.hpp"
+#include "base/system/machine.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "base/settings/share_address.hpp"
 
 #include "base/settings/settings.hpp"
-#include "base/system/host_name.hpp"
+#include "base/system/machine.hpp"
 
 #include <string_view>
 

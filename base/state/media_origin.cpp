@@ -1,6 +1,6 @@
 #include "base/state/media_origin.hpp"
 
-#include "base/system/local_time.hpp"
+#include "base/system/machine.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
 #include "base/system/journal.hpp"
 
-#include "base/system/journal_stream.hpp"
-
 #define SD_JOURNAL_SUPPRESS_LOCATION
 #include <sys/uio.h>
 #include <systemd/sd-journal.h>

@@ -1,11 +1,11 @@
 #include "base/system/log.hpp"
 
-#include "base/system/journal_stream.hpp"
-
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
+#include <cstdlib>
 #include <utility>
 
 namespace vitrine::log {
@@ -50,6 +50,15 @@ std::string line_of(Level level, std::string_view message, bool for_journal) {
             line += c;
     }
     return line + "\n";
+}
+
+bool is_journal(int fd) {
+    const char* stream = std::getenv("JOURNAL_STREAM");
+
+    struct stat info {};
+
+    if (stream == nullptr || ::fstat(fd, &info) < 0) return false;
+    return fmt::format("{}:{}", info.st_dev, info.st_ino) == stream;
 }
 
 void write(Level level, std::string_view message) {

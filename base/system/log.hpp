@@ -21,6 +21,10 @@ bool is_wanted(Level level);
 /// Writes one line. Control characters are written as \xNN, so that a file name cannot forge a line.
 void write(Level level, std::string_view message);
 
+/// True if systemd reads this file descriptor into the journal. systemd names its stream by device and inode,
+/// so that a redirected descriptor is not mistaken for it.
+bool is_journal(int fd);
+
 /// The line as it is written. @param for_journal  begins it with the priority that the journal reads, "<6>"
 std::string line_of(Level level, std::string_view message, bool for_journal);
 

@@ -1,7 +1,6 @@
 #include "player/content/calendar.hpp"
 
-#include "base/system/kept_clock.hpp"
-#include "base/system/local_time.hpp"
+#include "base/system/machine.hpp"
 
 #include <sys/stat.h>
 

@@ -2,7 +2,7 @@
 
 #include "base/media/colour.hpp"
 #include "base/settings/output_words.hpp"
-#include "base/system/host_name.hpp"
+#include "base/system/machine.hpp"
 #include "player/scene/change_pace.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "player/wall_link/shared_clock.hpp"
 
-#include "base/system/kept_clock.hpp"
+#include "base/system/machine.hpp"
 
 namespace vitrine::player {
 

@@ -5,7 +5,7 @@
 #include "base/settings/settings_text.hpp"
 #include "base/settings/share_address.hpp"
 #include "base/system/atomic_file.hpp"
-#include "base/system/host_name.hpp"
+#include "base/system/machine.hpp"
 
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "base/system/journal.hpp"
 
-#include "base/system/journal_stream.hpp"
+#include "base/system/log.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>

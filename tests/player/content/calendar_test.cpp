@@ -1,7 +1,7 @@
 #include "player/content/calendar.hpp"
 
 #include "base/system/atomic_file.hpp"
-#include "base/system/kept_clock.hpp"
+#include "base/system/machine.hpp"
 #include "tests/temporary_directory.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 
 #include "base/state/record_json.hpp"
 #include "base/system/atomic_file.hpp"
-#include "base/system/kept_clock.hpp"
+#include "base/system/machine.hpp"
 #include "player/content/crash_signal.hpp"
 #include "player/input/rehearsal.hpp"
 #include "tests/player/scene/scene_media.hpp"

@@ -1,4 +1,4 @@
-#include "base/system/local_time.hpp"
+#include "base/system/machine.hpp"
 
 #include "base/hints/hint_words.hpp"
 

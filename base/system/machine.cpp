@@ -1,8 +1,23 @@
-#include "base/system/local_time.hpp"
+#include "base/system/machine.hpp"
 
+#include <sys/timex.h>
+#include <unistd.h>
+
+#include <array>
 #include <ctime>
 
 namespace vitrine {
+
+std::string host_name() {
+    std::array<char, 256> name{};  // longer than Linux has them
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+bool is_clock_kept_right() {
+    timex question{};  // it changes nothing
+    const int state = ::adjtimex(&question);
+    return state >= 0 && state != TIME_ERROR && (question.status & STA_UNSYNC) == 0;
+}
 
 std::chrono::local_seconds local_time(std::chrono::system_clock::time_point time) {
     const auto utc = std::chrono::floor<std::chrono::seconds>(time);
