@@ -2,7 +2,7 @@
 
 #include "base/media/file_bytes.hpp"
 #include "base/media/photo_file.hpp"
-#include "base/media/picture_failure.hpp"
+#include "base/media/picture.hpp"
 #include "base/state/media_error.hpp"
 
 #include <algorithm>

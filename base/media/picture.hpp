@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/media/colour.hpp"
+#include "base/state/media_error.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace vitrine {
@@ -26,5 +28,15 @@ struct StillPicture {
     StillInfo full;                 // size before it was shrunk
     std::vector<std::byte> pixels;  // 4 * width * height
 };
+
+/// The reasons why a photo is not shown, as far as they matter to the person who put it there.
+enum class PictureFailure { cut_short, damaged, too_large, unknown_coding };
+
+/// The state and the text of a failure. The library's own text goes to the debug log: operators cannot use
+/// it.
+MediaError picture_failure(PictureFailure failure, std::string_view said);
+
+/// @throws MediaError if a photo of this size is too large
+void require_within_limits(const StillInfo& info);
 
 }  // namespace vitrine

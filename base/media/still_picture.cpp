@@ -8,7 +8,7 @@
 #include "base/media/heif_reader.hpp"
 #include "base/media/media_type.hpp"
 #include "base/media/photo_file.hpp"
-#include "base/media/picture_failure.hpp"
+#include "base/media/picture.hpp"
 #include "base/media/vips_steps.hpp"
 #include "base/state/media_error.hpp"
 

@@ -1,6 +1,6 @@
 #include "base/media/vips_steps.hpp"
 
-#include "base/media/picture_failure.hpp"
+#include "base/media/picture.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "player/playback/film_loop.hpp"
 
-#include "player/playback/container_ways.hpp"
+#include "base/media/media_type.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "player/playback/sound/film_sound.hpp"
 
+#include "base/media/media_type.hpp"
 #include "base/media/sound_chain.hpp"
-#include "player/playback/container_ways.hpp"
 #include "player/playback/loop_seeker.hpp"
 #include "player/playback/sound/sound_stream.hpp"
 

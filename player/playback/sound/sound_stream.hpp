@@ -22,7 +22,7 @@ class SoundStream {
         : timeline_(begin, duration), control_(control) {}
 
     /// Watches a pad in front of the sink. This outlives the pipeline.
-    /// @param is_stamped  the film's time stamps are stream times (container_ways.hpp)
+    /// @param is_stamped  the film's time stamps are stream times (media_type.hpp)
     void connect(GstPad* pad, bool is_stamped);
 
     /// Tells that this seek starts this loop of the part; the first loop is 0. Thread-safe.

@@ -23,7 +23,7 @@ class SoundTimeline {
     void expect(std::uint32_t seek, std::int64_t loop);
 
     /// Returns a segment event with its place set. @param is_stamped  its times are stream times
-    /// (container_ways.hpp)
+    /// (media_type.hpp)
     GstPtr<GstEvent> placed(GstEvent* segment, bool is_stamped);
 
   private:

@@ -1,4 +1,4 @@
-#include "base/media/picture_failure.hpp"
+#include "base/media/picture.hpp"
 
 #include "base/system/log.hpp"
 
