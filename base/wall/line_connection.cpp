@@ -3,6 +3,7 @@
 #include "base/wall/broken_line.hpp"
 #include "base/wall/wall_message.hpp"
 
+#include <fmt/format.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
 
@@ -20,6 +21,20 @@ bool must_wait(int error) {
 }
 
 }  // namespace
+
+std::vector<std::string> LineSplitter::push(std::string_view piece) {
+    std::vector<std::string> lines;
+    while (!piece.empty()) {
+        const std::size_t end = piece.find('\n');
+        begun_.append(piece.substr(0, end));
+        if (begun_.size() > max_line_)
+            throw BrokenLine(fmt::format("a line has more than {} bytes", max_line_));
+        if (end == std::string_view::npos) break;
+        lines.push_back(std::exchange(begun_, {}));
+        piece.remove_prefix(end + 1);
+    }
+    return lines;
+}
 
 LineConnection::LineConnection(EventLoop& loop, UniqueFd end, Handlers handlers)
     : loop_(loop), end_(std::move(end)), handlers_(std::move(handlers)), splitter_(max_wall_line) {

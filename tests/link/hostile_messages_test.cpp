@@ -1,5 +1,5 @@
 #include "base/wall/broken_line.hpp"
-#include "base/wall/line_splitter.hpp"
+#include "base/wall/line_connection.hpp"
 #include "link/message_queue.hpp"
 #include "link/message_rules.hpp"
 

@@ -1,4 +1,4 @@
-#include "base/wall/line_splitter.hpp"
+#include "base/wall/line_connection.hpp"
 
 #include "base/wall/broken_line.hpp"
 
