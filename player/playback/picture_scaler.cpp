@@ -1,6 +1,5 @@
 #include "player/playback/picture_scaler.hpp"
 
-#include "player/playback/mapped_frame.hpp"
 #include "player/playback/shared_frame.hpp"
 
 extern "C" {
@@ -17,6 +16,35 @@ namespace {
 
 constexpr std::size_t row_alignment = 64;  // bytes: the scaler's widest words write beyond a row's end
 constexpr int max_enlarged = 2;            // planes larger than this many times the size are scaled down
+
+/// The readable memory of a decoded frame. It stays mapped, and its buffer is kept, while this lives.
+class MappedFrame {
+  public:
+    explicit MappedFrame(GstSample* sample) {
+        GstVideoInfo info;
+        const GstCaps* caps = gst_sample_get_caps(sample);
+        if (caps == nullptr || !gst_video_info_from_caps(&info, caps)) return;
+        is_mapped_ =
+            gst_video_frame_map(&frame_, &info, gst_sample_get_buffer(sample), GST_MAP_READ) != FALSE;
+    }
+
+    MappedFrame(const MappedFrame&) = delete;
+    MappedFrame& operator=(const MappedFrame&) = delete;
+    MappedFrame(MappedFrame&&) = delete;
+    MappedFrame& operator=(MappedFrame&&) = delete;
+
+    ~MappedFrame() {
+        if (is_mapped_) gst_video_frame_unmap(&frame_);
+    }
+
+    bool is_mapped() const { return is_mapped_; }
+
+    const GstVideoFrame& frame() const { return frame_; }
+
+  private:
+    GstVideoFrame frame_{};
+    bool is_mapped_ = false;
+};
 
 std::optional<AVPixelFormat> format_of(GstVideoFormat format) {
     switch (format) {

@@ -1,7 +1,5 @@
 #include "player/playback/shared_frame.hpp"
 
-#include "player/playback/mapped_frame.hpp"
-
 #include <gst/allocators/gstdmabuf.h>
 #include <gst/video/video.h>
 
@@ -71,6 +69,13 @@ GstPadProbeReturn answer(GstPad*, GstPadProbeInfo* info, gpointer) {
 }
 
 }  // namespace
+
+ColourCode colour_code(const GstVideoColorimetry& colours) {
+    ColourCode code{.is_full_range = colours.range == GST_VIDEO_COLOR_RANGE_0_255};
+    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT709) code.matrix = ColourCode::Matrix::bt709;
+    if (colours.matrix == GST_VIDEO_COLOR_MATRIX_BT2020) code.matrix = ColourCode::Matrix::bt2020;
+    return code;
+}
 
 void let_planes_lie(GstPad* pad) {
     gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_QUERY_DOWNSTREAM, &answer, nullptr, nullptr);

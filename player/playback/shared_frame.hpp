@@ -2,7 +2,7 @@
 
 #include "player/playback/sample.hpp"
 
-#include <gst/gst.h>
+#include <gst/video/video.h>
 
 #include <optional>
 
@@ -13,6 +13,9 @@ namespace vitrine::player {
 /// (drm-format, GStreamer 1.24 and later). Older caps say only memory:DMABuf and not the order, so such
 /// frames are not asked for. The sample owns the frame; it has the film's colours and no bytes.
 std::optional<Sample> shared_frame(GstSample* frame);
+
+/// The colours of a film, as the renderer needs them.
+ColourCode colour_code(const GstVideoColorimetry& colours);
 
 /// Tells the decoder before a pad that any placement of the planes is accepted; else a hardware decoder would
 /// copy them.

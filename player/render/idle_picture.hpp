@@ -2,7 +2,6 @@
 
 #include "base/geometry/box.hpp"
 #include "player/render/gl_objects.hpp"
-#include "player/render/view_uniforms.hpp"
 
 #include <chrono>
 

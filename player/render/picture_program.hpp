@@ -3,7 +3,6 @@
 #include "player/playback/sample.hpp"
 #include "player/render/gl_objects.hpp"
 #include "player/render/picture_texture.hpp"
-#include "player/render/view_uniforms.hpp"
 #include "player/scene/frame.hpp"
 
 #include <array>

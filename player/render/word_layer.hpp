@@ -2,7 +2,6 @@
 
 #include "player/render/gl_objects.hpp"
 #include "player/render/view.hpp"
-#include "player/render/view_uniforms.hpp"
 #include "player/words/word_item.hpp"
 
 #include <map>

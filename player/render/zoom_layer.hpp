@@ -1,7 +1,6 @@
 #pragma once
 
 #include "player/render/gl_objects.hpp"
-#include "player/render/view_uniforms.hpp"
 #include "player/scene/frame.hpp"
 
 #include <memory>

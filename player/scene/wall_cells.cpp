@@ -1,6 +1,6 @@
 #include "player/scene/wall_cells.hpp"
 
-#include "player/layout/cells/bleeding_edge.hpp"
+#include "player/layout/cells/cells.hpp"
 #include "player/layout/cells/cut_cell.hpp"
 
 #include <algorithm>

@@ -2,12 +2,14 @@
 
 #include "base/hints/keyframe_choice.hpp"
 #include "base/state/keyframe_notes.hpp"
+#include "base/state/wanted_tapestry.hpp"
 #include "base/system/log.hpp"
 #include "player/scene/tapestry/kept_frames.hpp"
 #include "player/scene/tapestry/unwoven_tapestry.hpp"
 
 #include <array>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace vitrine::player {
@@ -109,6 +111,19 @@ std::shared_ptr<const ZoomMesh> mesh_of(const std::optional<ZoomField>& field, d
 }
 
 }  // namespace
+
+TapestryWish::TapestryWish(std::filesystem::path state, std::string path)
+    : state_(std::move(state)), path_(std::move(path)) {
+    try {
+        want_tapestry(state_, path_);
+    } catch (const std::system_error& error) {
+        log::warning("the analyzer does not hear of a visitor's wish: {}", error.what());
+    }
+}
+
+TapestryWish::~TapestryWish() {
+    withdraw_wish(state_, path_);
+}
 
 bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film) {
     return tapestry.bytes == film.bytes && tapestry.mtime_ns == film.mtime_ns;

@@ -5,7 +5,6 @@
 #include "player/scene/show.hpp"
 #include "player/scene/tapestry/tapestry_show.hpp"
 #include "player/stage/newer_index.hpp"
-#include "player/stage/tapestry_wish.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vitrine::player {
@@ -34,6 +34,23 @@ struct TapestryPlaybackOptions {
 
 /// True: the tapestry was woven from the present content of the film.
 bool is_woven_from(const Tapestry& tapestry, const MediaRecord& film);
+
+/// Tells the analyzer for as long as it exists that a visitor waits for a film's tapestry. Logs.
+class TapestryWish {
+  public:
+    /// @param state  the state directory
+    /// @param path   of the film's record
+    TapestryWish(std::filesystem::path state, std::string path);
+    TapestryWish(const TapestryWish&) = delete;
+    TapestryWish& operator=(const TapestryWish&) = delete;
+    TapestryWish(TapestryWish&&) = delete;
+    TapestryWish& operator=(TapestryWish&&) = delete;
+    ~TapestryWish();
+
+  private:
+    std::filesystem::path state_;
+    std::string path_;
+};
 
 /// Shows a film's tapestry with its tiles. While the film is woven better and better, each newer index takes
 /// the place of the one before; without any, the film plays above an empty strip for a while. Tiles are read

@@ -35,6 +35,11 @@ struct CellStyle {
     double sample_inset = 2;    // depth of sampled sites inside the outline
 };
 
+/// The item without the edge of its core into which the picture outside bleeds: a bar or the border of a
+/// scan. Samplers mix neighbouring pixels, most of all in smaller copies. The I-Region stays whole.
+/// @param picture  size of the upright picture, source px
+LayoutItem without_bleeding_edge(LayoutItem item, Vec2 picture, const Placement& at);
+
 /// Divides the whole canvas: every point goes to the item with the nearest I-Region, among the items whose
 /// core has pixels at the point; without such an item, to the nearest item as filler. A core that ends less
 /// than a pixel before the canvas' edge counts as reaching it. The cells of one layout cover the canvas

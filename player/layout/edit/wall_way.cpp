@@ -1,7 +1,7 @@
 #include "player/layout/edit/wall_way.hpp"
 
 #include "base/geometry/convex_hull.hpp"
-#include "player/layout/cells/bleeding_edge.hpp"
+#include "player/layout/cells/cells.hpp"
 #include "player/layout/plan/motion.hpp"
 
 #include <algorithm>

@@ -1,21 +1,28 @@
 #include "player/playback/reader/reader_process.hpp"
 
 #include "base/state/media_error.hpp"
+#include "base/system/hold_below.hpp"
 #include "base/system/sandbox.hpp"
+#include "base/system/unique_fd.hpp"
+#include "player/playback/photo_load.hpp"
 #include "player/playback/reader/film_reader.hpp"
-#include "player/playback/reader/photo_reader.hpp"
-#include "player/playback/reader/uploaded_file.hpp"
+#include "player/playback/reader/picture_slots.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <exception>
 #include <new>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace vitrine::player {
 
@@ -45,6 +52,48 @@ void limit_process(MediaKind kind) {
     if (::setpriority(PRIO_PROCESS, 0, niceness) < 0) errno = 0;
     const UniqueFd score(::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
     if (score.is_open() && ::write(score.get(), killed_first.data(), killed_first.size()) < 0) errno = 0;
+}
+
+UniqueFd held_upload(const std::string& root, const std::string& path) {
+    try {
+        return hold_below(root, path);
+    } catch (const std::system_error& error) {
+        const int code = error.code().value();
+        if (code == ELOOP || code == EXDEV)
+            throw MediaError(MediaState::unsupported, "this is a link; links are not followed");
+        throw failed_call("the file cannot be opened", code);
+    }
+}
+
+/// Opens a file of the media folder to read it. Follows no link below the folder. May take long on a share.
+/// @param path  below the folder
+/// @throws MediaError if it cannot be opened, or is not a regular file
+UniqueFd open_upload(const std::string& root, const std::string& path) {
+    const UniqueFd held = held_upload(root, path);
+
+    struct stat status {};
+
+    if (::fstat(held.get(), &status) != 0) throw failed_call("the file cannot be read", errno);
+    if (!S_ISREG(status.st_mode)) throw MediaError(MediaState::unsupported, "this is not a regular file");
+    UniqueFd file(::open(fmt::format("/proc/self/fd/{}", held.get()).c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open()) throw failed_call("the file cannot be opened", errno);
+    return file;
+}
+
+/// Reads the photo that the order names, and hands its picture to the player.
+/// @param file    a name by which the open file can be read
+/// @param memory  for the order's slots, of which the first is used
+/// @throws MediaError as load_still() does
+void read_photo(const ReaderOrder& order, const std::string& file, const MessageSocket& player,
+                const UniqueFd& memory) {
+    const PictureSlots slots(memory, order.slots, PictureSlots::Use::writing);
+    const Sample picture = load_photo(
+        {.file = file, .width = order.width, .height = order.height, .background = order.background});
+    if (!copy_picture(picture, slots.writable_slot(0)))
+        throw MediaError(FaultOwner::program, "the picture is larger than its place");
+    player.send(to_message(PictureNote{.width = picture.width,
+                                       .height = picture.height,
+                                       .layout = static_cast<std::uint32_t>(picture.layout)}));
 }
 
 void read_upload(const ReaderOrder& order, const ReaderHandles& handles) {
