@@ -28,8 +28,8 @@ struct CommandLine {
     std::vector<std::string> words;
 };
 
-/// Keeps freed blocks, as this process decodes many frames of megabytes: after each return to the kernel every
-/// page would be cleared again. Call it before any thread starts.
+/// Keeps freed blocks, as this process decodes many frames of megabytes: after each return to the kernel
+/// every page would be cleared again. Call it before any thread starts.
 void keep_freed_memory() {
     constexpr int max_kept = 64 << 20;
     constexpr int max_on_heap = 32 << 20;  // the largest value that glibc allows

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyzer/film/black_margins.hpp"
-#include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/film_frame.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/film_frame.hpp"
 #include "base/state/record.hpp"
 
 #include <memory>

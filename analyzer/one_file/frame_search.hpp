@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyzer/faces/face_detector.hpp"
-#include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/film_frame.hpp"
 #include "analyzer/one_file/subject_network.hpp"
 #include "analyzer/saliency/analysis_settings.hpp"
 #include "analyzer/saliency/image_saliency.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyzer/film/active_picture.hpp"
-#include "analyzer/film/frame_source.hpp"
+#include "analyzer/film/film_frame.hpp"
 #include "analyzer/tapestry/weave/candidate_file.hpp"
 #include "base/state/record.hpp"
 #include "base/system/unique_fd.hpp"
