@@ -10,6 +10,7 @@ from machine import wait_for
 MORE = int(os.environ.get("VITRINE_RIG_RESTARTS", 0))
 RESTARTS = 1 + MORE
 KILLS = 1 + MORE
+PAUSE = 0.02  # s between two looks; a picture of the machine lasts a second, and setting a mode takes it longer
 MAX_BLACK = 0.3  # of the screen; the wall leaves none, the console is black
 
 
@@ -32,6 +33,7 @@ def never_black(box, what, act):
     looks, same, whole, first = 0, 0, 0, None
     end = time.monotonic() + 600
     while first is None and time.monotonic() < end:
+        time.sleep(PAUSE)
         picture = box.machine.picture()
         looks += 1
         if picture.share_of((0, 0, 0), 8) > MAX_BLACK:
