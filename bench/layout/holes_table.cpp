@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
         counts.push_back(static_cast<std::size_t>(std::atoi(argv[i])));
     fmt::print(
         "| n | canvas | no picture | above a plan of all | way of the others | ms |\n|--|--|--|--|--|--|\n");
-    for (const Vec2 canvas : {Vec2{960, 540}, Vec2{1920, 1080}})
+    for (const Vec2 canvas : {Vec2{960, 540}, Vec2{1920, 1080}, Vec2{1080, 1920}})
         for (const std::size_t count : counts)
             print_row(count, canvas, walls, draw);
 }
