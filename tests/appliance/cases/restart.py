@@ -10,7 +10,7 @@ from machine import wait_for
 MORE = int(os.environ.get("VITRINE_RIG_RESTARTS", 0))
 RESTARTS = 1 + MORE
 KILLS = 1 + MORE
-PAUSE = 0.02  # s between two looks; a picture of the machine lasts a second, and setting a mode takes it longer
+PAUSE = 0.02  # s between two looks: without one they slow the machine down; each of its pictures lasts a second
 MAX_BLACK = 0.3  # of the screen; the wall leaves none, the console is black
 
 
