@@ -3,7 +3,7 @@
 
     fetch_pictures.py FOLDER [--clones FOLDER]
 
-Writes FOLDER/train and FOLDER/held_back, each picture as a square of 256 px, which is all that the networks see. A
+Writes FOLDER/train and FOLDER/held_back, each picture with 320 px on its shorter side, as no network sees more. A
 picture that is not the one of pictures.tsv ends the program. Needs git, python3-pil and 8 GB for the clones.
 """
 import argparse
@@ -17,7 +17,7 @@ from pathlib import Path
 from PIL import Image, ImageOps
 
 HERE = Path(__file__).resolve().parent
-SIDE = 256  # px
+SIDE = 320  # px, of the shorter side
 
 
 def rows(file):
@@ -41,7 +41,7 @@ def content(place, commit, path, digest):
     return shown.stdout
 
 
-def squared(data):
+def made_small(data):
     picture = Image.open(io.BytesIO(data))
     if picture.format == "JPEG" and min(picture.size) > 1100:
         picture.draft("RGB", (512, 512))
@@ -49,7 +49,7 @@ def squared(data):
     scale = SIDE / min(picture.size)
     if scale < 1:
         picture = picture.resize([max(SIDE, round(side * scale)) for side in picture.size], Image.LANCZOS)
-    return picture.resize((SIDE, SIDE), Image.BICUBIC)
+    return picture
 
 
 def main():
@@ -64,7 +64,7 @@ def main():
         folder = options.folder / ("held_back" if source["held back"] == "yes" else "train")
         folder.mkdir(parents=True, exist_ok=True)
         data = content(clone(row["repository"], clones), source["commit"], row["path"], row["sha256"])
-        squared(data).save(folder / f"{number:05}.webp", quality=75, method=2)
+        made_small(data).save(folder / f"{number:05}.webp", quality=90, method=2)
 
 
 if __name__ == "__main__":
