@@ -18,7 +18,6 @@ constexpr double centre_saliency = 0.005;
 constexpr double min_motion = 0.002;     // share of the picture that moves on average, to count
 constexpr double enough_motion = 1.25;   // certainty for each share of it that is held
 constexpr double followed_motion = 0.9;  // share of what moves that a drift must keep in the common part
-constexpr double carried_by = 0.25;      // share of a drift by which the background's motion may differ
 constexpr double min_face = 0.05;        // share of the map's longer side: smaller faces do not count
 
 double seconds(std::chrono::nanoseconds time) {
@@ -244,14 +243,10 @@ SubjectOutline seen_outline(const std::vector<Sample>& samples, const std::vecto
     return outline;
 }
 
-/// The drift, or none where it leaves behind what moves: something that crosses the picture faster than a
-/// region can follow. Where the camera moves, nothing stands still, and the drift stays.
+/// The drift, or none where it leaves behind what moves: something that crosses the picture, or overtakes the
+/// camera, faster than a region can follow.
 Vec2 following_drift(const std::vector<Sample>& samples, const std::vector<SalientFrame>& frames, Vec2 drift,
                      const Box& core) {
-    Vec2 background;
-    for (const SalientFrame& frame : frames)
-        background = background + frame.global_motion * (1 / static_cast<double>(frames.size()));
-    if (length(background - drift) <= carried_by * length(drift)) return drift;
     return held_motion(samples, frames, drift, to_polygon(core)) < followed_motion ? Vec2{} : drift;
 }
 

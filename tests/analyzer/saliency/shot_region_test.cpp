@@ -143,6 +143,30 @@ TEST_CASE("what crosses the picture faster than a region can follow is held wher
     CHECK(letter.region.drift != Vec2{});  // the paper follows the boxes, wherever that leads
 }
 
+TEST_CASE("what overtakes the camera is held wherever it is") {
+    // Given a camera that pans over bright discs for 3 seconds, and a small one that runs ahead of it.
+    std::vector<Sample> samples;
+    const auto runner = [](int i) { return Vec2{12 + 5.6 * i, 75}; };
+    for (int i = 0; i < 24; ++i) {
+        const double panned = 2.5 * i;
+        samples.push_back(sample_with_disc(milliseconds(125 * i), {105 - panned, 40}));
+        Sample& sample = samples.back();
+        for (const double x : {85.0, 125.0})
+            cv::circle(sample.image, cv::Point2d(x - panned, 40), 14, 1, cv::FILLED);
+        sample.motion = SaliencyMap::zeros(90, 160, CV_32FC1);
+        cv::circle(sample.motion, cv::Point2d(runner(i).x, runner(i).y), 6, 1, cv::FILLED);
+        sample.global_motion = {-20, 0};
+        sample.subject_motion = {-20, 0};  // of most that is salient
+    }
+    const IRegion region =
+        shot_region(samples, {.begin = seconds(0), .end = seconds(3)}, {160, 90}, {160, 90}, {}).shot.region;
+    CHECK(region.drift == Vec2{});
+    for (int i = 0; i < 24; ++i) {
+        CAPTURE(i);
+        CHECK(is_inside_convex(region.polygon, runner(i), 1));
+    }
+}
+
 TEST_CASE("one flash of motion holds nothing; of many things that move the region holds all") {
     std::vector<Sample> samples;
     for (int i = 0; i < 8; ++i) {
