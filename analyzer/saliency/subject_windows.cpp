@@ -15,9 +15,10 @@
 namespace vitrine::analyzer {
 namespace {
 
-constexpr int grid = 12;        // cells along each side
-constexpr double ring = 0.06;   // width of the surroundings of a window, share of each side
-constexpr double faint = 0.02;  // added before logarithms are taken
+constexpr int grid = 12;          // cells along each side
+constexpr double ring = 0.06;     // width of the surroundings of a window, share of each side
+constexpr double faint = 0.02;    // added before logarithms are taken
+constexpr double contrast = 1.8;  // power of the likelihoods: little is left of what is hardly likely
 
 // A head around a face box, and the body below, as shares of the face box.
 constexpr double hair = 0.35;
@@ -28,50 +29,50 @@ constexpr double body_length = 4;
 
 constexpr std::array<float, window_facts> weights{
     // size, its square, area, off the middle across and down, down, aspect
-    -0.086F,
-    -0.031F,
-    -2.706F,
-    -1.549F,
-    -10.510F,
-    0.706F,
-    -0.553F,
+    -2.038F,
+    -0.281F,
+    -1.099F,
+    0.244F,
+    0.013F,
+    1.434F,
+    -0.537F,
     // sides, top, bottom, both sides, top and bottom touched
-    -0.457F,
-    -0.112F,
-    0.260F,
-    -0.266F,
-    0.195F,
+    0.293F,
+    0.096F,
+    0.255F,
+    0.076F,
+    0.116F,
     // heads, bodies; with faces: size, bottom touched, size by the face's size
-    0.819F,
-    3.013F,
-    0.081F,
-    0.389F,
-    0.251F,
+    5.000F,
+    0.204F,
+    -0.038F,
+    0.745F,
+    0.483F,
     // enclosed: share, rest, density, edge
-    -3.409F,
-    1.792F,
-    0.459F,
-    0.245F,
+    0.560F,
+    1.756F,
+    1.085F,
+    0.896F,
     // enclosed cubed: share, rest, density, edge
-    1.151F,
-    -0.738F,
-    0.460F,
-    -0.016F,
+    1.606F,
+    -0.074F,
+    0.075F,
+    -0.008F,
     // sharp: share, rest, density, edge
-    4.032F,
-    -0.480F,
-    1.081F,
-    0.730F,
+    1.028F,
+    -0.151F,
+    0.403F,
+    0.179F,
     // central: share, rest, density, edge
-    -0.724F,
-    -1.146F,
-    0.640F,
-    0.105F,
+    1.553F,
+    -0.504F,
+    -0.360F,
+    0.374F,
     // enclosed and central: share, rest, density, edge
-    0.667F,
-    -1.170F,
-    0.652F,
-    0.089F,
+    2.106F,
+    -2.666F,
+    1.122F,
+    -0.845F,
 };
 
 /// The grid's lines along one side, px, and the same lines moved to either side by the ring.
@@ -272,7 +273,8 @@ SaliencyMap subject_likelihood(const cv::Mat& bgr, std::span<const Face> faces) 
     cells.convertTo(cells, CV_32F);
     SaliencyMap map;
     cv::resize(cells, map, bgr.size(), 0, 0, cv::INTER_LINEAR);
-    return cv::max(cv::min(map, 1.0), 0.0);
+    cv::pow(cv::max(cv::min(map, 1.0), 0.0), contrast, map);
+    return map;
 }
 
 }  // namespace vitrine::analyzer

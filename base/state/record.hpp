@@ -60,9 +60,9 @@ struct Shot {
     /// caption in a photo. 5: the film in a photo, faces and lines; the network's fine map, of films too. 6:
     /// small faces in films, narrow bars. 7: a subject's closer outline. 8: a thing that looks like a
     /// letter is no line of words. 9: what crosses a film quickly, or grows in it. 10: a network has looked
-    /// at every shot. 11: the networks see pictures in their own shape. A record says nothing of earlier
-    /// ones.
-    static constexpr int current_analysis = 11;
+    /// at every shot. 11: the networks see pictures in their own shape. 12: the plain method's windows have
+    /// other weights; a region lets nothing overtake it. A record says nothing of earlier ones.
+    static constexpr int current_analysis = 12;
     static constexpr std::size_t max_marks = 100;
 
     std::chrono::nanoseconds begin{0};  // half-open [begin, end) in stream time; a photo has [0, 0)

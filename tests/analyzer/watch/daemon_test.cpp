@@ -70,8 +70,8 @@ constexpr const char* reader = R"(
         echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"'$state'","complete":'$1','\
              '"reason":"'"$reason"'","width":4,"height":3,"duration_ns":0,"shots":['"$2"']'"$sound$fault"'}'
     }
-    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","analysis":11,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
-    second='{"begin_ns":5,"end_ns":9,"ends_with":"end","analysis":11,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
+    first='{"begin_ns":0,"end_ns":5,"ends_with":"cut","analysis":12,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}'"$stored"'}'
+    second='{"begin_ns":5,"end_ns":9,"ends_with":"end","analysis":12,"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}'
     case "$word" in
     film) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done; say true "$first,$second" ;;
     hang) say false "$first"; until [ -e "$0.gate" ]; do sleep 0.02; done ;;

@@ -27,7 +27,7 @@ constexpr const char* reader = R"(
     read -r word < "$1" || true
     [ "$word" != slow ] || read -r _ < "$0.gate"
     echo '{"version":3,"path":"x","kind":"video","bytes":0,"mtime_ns":0,"state":"ready","complete":true,'\
-         '"reason":"","width":4,"height":3,"duration_ns":9,"shots":[{"begin_ns":0,"end_ns":9,"ends_with":"end","analysis":11,'\
+         '"reason":"","width":4,"height":3,"duration_ns":9,"shots":[{"begin_ns":0,"end_ns":9,"ends_with":"end","analysis":12,'\
          '"region":{"polygon":[[0,0],[1,0],[0,1]],"drift":[0,0]}}]}')";
 
 /// Weaves nothing, but an index; "gate" waits to be let go before that, "bad" fails.
