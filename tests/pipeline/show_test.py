@@ -100,8 +100,10 @@ class Show(unittest.TestCase):
                 if min(before[2], after[2]) > 0.95 * whole and 40 < before[0] < WIDTH - 40:
                     steps.append((before[0] - after[0], before[1] - after[1]))
             seen = [k for k, (_, _, count) in enumerate(track) if count > 10]
-            if seen and seen[0] > begin + RATE:  # the first ones have faded in
-                entries.append(track[seen[0]][0])
+            for k in seen:
+                is_new = not set(seen) & set(range(k - RATE // 2, k))  # it may have been there before
+                if is_new and k > begin + RATE:  # the first ones have faded in
+                    entries.append(track[k][0])
         self.assertGreater(len(steps), 100)
         along, across = ([step[axis] for step in steps] for axis in (0, 1))
         self.assertAlmostEqual(sorted(along)[len(along) // 2], 40 / RATE, delta=0.2)
